@@ -1,0 +1,10 @@
+"""Words, fonts, icons and scenarios, found by name wherever the package is installed."""
+
+from pathlib import Path
+
+ROOT = Path(__file__).parent
+
+FONTS = ROOT / "fonts"
+ICONS = ROOT / "icons"
+SCENARIOS = ROOT / "scenarios"
+TEXT = ROOT / "text"

@@ -1,0 +1,1 @@
+"""What every lesson is made of: events, geometry, widgets, and the surface it is drawn on."""
