@@ -1,1 +1,31 @@
 """A standalone 2D rigid-body engine: SI units, float64, +y up, angles counter-clockwise."""
+
+from engine.body import Body
+from engine.collision import Collision, Diverged, Removed
+from engine.forces import Force, LinearDrag, Push, QuadraticDrag, Torque
+from engine.settings import TICK
+from engine.shapes import Circle, Particle, Polygon, Shape, Wall
+from engine.snapshot import Snapshot
+from engine.vector import Vector
+from engine.world import World
+
+__all__ = [
+    "TICK",
+    "Body",
+    "Circle",
+    "Collision",
+    "Diverged",
+    "Force",
+    "LinearDrag",
+    "Particle",
+    "Polygon",
+    "Push",
+    "QuadraticDrag",
+    "Removed",
+    "Shape",
+    "Snapshot",
+    "Torque",
+    "Vector",
+    "Wall",
+    "World",
+]

@@ -1,0 +1,121 @@
+"""Newton's second law: what pushes, gravity and drag do to each body during one tick.
+
+Within a tick every body moves along a parabola: its mean acceleration is constant, and an
+integrator is nothing but a rule for that acceleration and for the velocity at which the parabola
+starts. The difference between that velocity and the reported one is the body's *lead*:
+
+- semi-implicit Euler (thesis, eq. 16-17), x' = x + (v + a dt) dt: lead = a dt / 2. Its velocity is
+  that of half a tick ago, which makes the position err by exactly a T dt / 2 after the time T;
+- explicit Euler, x' = x + v dt: lead = -a dt / 2;
+- velocity Verlet, x' = x + v dt + a0 dt^2 / 2, v' = v + (a0 + a1) dt / 2: no lead for constant a;
+- the classic Runge-Kutta method of fourth order: no lead for constant a.
+
+Impacts happen at the velocity of the parabola, so that all four bounce truly.
+"""
+
+import math
+
+from engine.settings import EXPLICIT_EULER, RK4, SEMI_IMPLICIT_EULER, Laws
+from engine.tables import Bodies, Pushes
+
+
+def accelerate(
+    bodies: Bodies, count: int, pushes: Pushes, pushing: int, laws: Laws, dt: float
+) -> None:
+    """Set mean accelerations, leads and mean forces of this tick; use up the time of the pushes."""
+    for row in range(count):
+        bodies.ax[row] = bodies.ay[row] = bodies.aspin[row] = 0.0
+        bodies.lead_x[row] = bodies.lead_y[row] = bodies.lead_spin[row] = 0.0
+    push(bodies, pushes, pushing, dt)
+    for row in range(count):
+        if bodies.inverse_mass[row] > 0.0:
+            resist(bodies, row, laws, dt)
+            bodies.force_x[row] = bodies.mass[row] * bodies.ax[row]
+            bodies.force_y[row] = bodies.mass[row] * bodies.ay[row]
+            if bodies.held[row] > 0:
+                bodies.lead_x[row] = bodies.lead_y[row] = bodies.lead_spin[row] = 0.0
+
+
+def push(bodies: Bodies, pushes: Pushes, pushing: int, dt: float) -> None:
+    """Add up the pushes; one that ends within the tick counts for the part that it lasts.
+
+    A force F over the first part tau of the tick moves the body by F/m tau (dt - tau/2): the lead
+    is what the mean acceleration F/m tau/dt lacks of that.
+    """
+    for row in range(len(bodies.torque)):
+        bodies.torque[row] = 0.0
+    for i in range(pushing):
+        row = pushes.row[i]
+        lasts = pushes.left[i]
+        if lasts - dt <= 1e-9 * dt:  # no tick for a remainder of rounding
+            pushes.left[i] = 0.0
+        else:
+            pushes.left[i] = lasts - dt
+            lasts = dt
+        share = lasts / dt
+        late = (dt - lasts) / 2.0
+        angle = bodies.angle[row] + bodies.spin[row] * dt / 2.0
+        cos = math.cos(angle)
+        sin = math.sin(angle)
+        arm_x = cos * pushes.at_x[i] - sin * pushes.at_y[i]
+        arm_y = sin * pushes.at_x[i] + cos * pushes.at_y[i]
+        x = pushes.x[i] * share
+        y = pushes.y[i] * share
+        torque = pushes.torque[i] * share + arm_x * y - arm_y * x
+        ax = x * bodies.inverse_mass[row]
+        ay = y * bodies.inverse_mass[row]
+        aspin = torque * bodies.inverse_inertia[row]
+        bodies.ax[row] += ax
+        bodies.ay[row] += ay
+        bodies.aspin[row] += aspin
+        bodies.torque[row] += torque
+        bodies.lead_x[row] += ax * late
+        bodies.lead_y[row] += ay * late
+        bodies.lead_spin[row] += aspin * late
+
+
+def resist(bodies: Bodies, row: int, laws: Laws, dt: float) -> None:
+    """Add gravity and drag by the world's integrator, and its lead."""
+    ax = bodies.ax[row] + laws.gravity_x
+    ay = bodies.ay[row] + laws.gravity_y
+    vx = bodies.vx[row]
+    vy = bodies.vy[row]
+    linear = laws.linear_drag * bodies.inverse_mass[row]
+    quadratic = laws.quadratic_drag * bodies.inverse_mass[row]
+    half = dt / 2.0
+    k1x, k1y = slowed(ax, ay, vx, vy, linear, quadratic)
+    if laws.integrator == SEMI_IMPLICIT_EULER or laws.integrator == EXPLICIT_EULER:
+        lead = half if laws.integrator == SEMI_IMPLICIT_EULER else -half
+        bodies.ax[row] = k1x
+        bodies.ay[row] = k1y
+        bodies.lead_x[row] = k1x * lead
+        bodies.lead_y[row] = k1y * lead
+        bodies.lead_spin[row] = bodies.aspin[row] * lead
+    elif laws.integrator == RK4:
+        k2x, k2y = slowed(ax, ay, vx + k1x * half, vy + k1y * half, linear, quadratic)
+        k3x, k3y = slowed(ax, ay, vx + k2x * half, vy + k2y * half, linear, quadratic)
+        k4x, k4y = slowed(ax, ay, vx + k3x * dt, vy + k3y * dt, linear, quadratic)
+        mean_x = (k1x + 2.0 * (k2x + k3x) + k4x) / 6.0
+        mean_y = (k1y + 2.0 * (k2y + k3y) + k4y) / 6.0
+        bodies.ax[row] = mean_x
+        bodies.ay[row] = mean_y
+        bodies.lead_x[row] += (k1x + k2x + k3x) * dt / 6.0 - mean_x * half
+        bodies.lead_y[row] += (k1y + k2y + k3y) * dt / 6.0 - mean_y * half
+    else:
+        k2x, k2y = slowed(ax, ay, vx + k1x * dt, vy + k1y * dt, linear, quadratic)
+        bodies.ax[row] = (k1x + k2x) / 2.0
+        bodies.ay[row] = (k1y + k2y) / 2.0
+        bodies.lead_x[row] += (k1x - k2x) / 2.0 * half
+        bodies.lead_y[row] += (k1y - k2y) / 2.0 * half
+
+
+def slowed(
+    ax: float, ay: float, vx: float, vy: float, linear: float, quadratic: float
+) -> tuple[float, float]:
+    """Acceleration at a velocity: the given one less drag, k/m v or k/m |v| v."""
+    if linear > 0.0:
+        return ax - linear * vx, ay - linear * vy
+    if quadratic > 0.0:
+        drag = quadratic * math.sqrt(vx * vx + vy * vy)
+        return ax - drag * vx, ay - drag * vy
+    return ax, ay

@@ -1,0 +1,258 @@
+"""The handle by which people hold a body. It has no state of its own: the world's tables do."""
+
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from engine import validate
+from engine.collision import Collision
+from engine.forces import Force, Push, Torque
+from engine.shapes import Particle, Shape, Wall
+from engine.vector import Vector
+
+if TYPE_CHECKING:
+    from engine.world import World
+
+OnMove = Callable[["Body"], None]
+OnCollision = Callable[["Body", Collision], None]
+
+
+class Body:
+    """A rigid body of a world: a shape with mass, pose and motion (SI units, +y up).
+
+    Two attributes may be set to functions that are called after a step, in the order of ids and of
+    collisions: `on_move(body)` if the body moved, `on_collision(body, collision)`.
+    """
+
+    __slots__ = ("_world", "id", "name", "on_collision", "on_move", "shape")
+
+    def __init__(self, world: "World", id: int, shape: Shape, name: str) -> None:
+        """Made by `World.add`."""
+        self._world = world
+        self.id = id
+        self.shape = shape
+        self.name = name
+        self.on_move: OnMove | None = None
+        self.on_collision: OnCollision | None = None
+
+    def __repr__(self) -> str:
+        """Name it and say what shape it has."""
+        return f"<Body {self.id} {self.name!r}: {self.shape}>"
+
+    @property
+    def is_wall(self) -> bool:
+        """Whether it is immovable."""
+        return isinstance(self.shape, Wall)
+
+    @property
+    def position(self) -> Vector:
+        """Centre of mass (m); the middle of a wall."""
+        if isinstance(self.shape, Wall):
+            return self.shape.middle
+        row = self._row()
+        return Vector(self._world.bodies.x[row], self._world.bodies.y[row])
+
+    @position.setter
+    def position(self, value: Any) -> None:
+        row, new = self._movable("position"), validate.vector(value, "position")
+        self._world.bodies.x[row], self._world.bodies.y[row] = new
+        self._world.displaced()
+
+    @property
+    def x(self) -> float:
+        """Of the centre of mass (m)."""
+        return self.position.x
+
+    @property
+    def y(self) -> float:
+        """Of the centre of mass (m)."""
+        return self.position.y
+
+    @property
+    def angle(self) -> float:
+        """Counter-clockwise, not wrapped (rad)."""
+        return self._world.bodies.angle[self._row()]
+
+    @angle.setter
+    def angle(self, value: Any) -> None:
+        row = self._movable("angle")
+        self._world.bodies.angle[row] = validate.finite(value, "angle")
+        self._world.displaced()
+
+    @property
+    def velocity(self) -> Vector:
+        """Of the centre of mass (m/s)."""
+        row = self._row()
+        return Vector(self._world.bodies.vx[row], self._world.bodies.vy[row])
+
+    @velocity.setter
+    def velocity(self, value: Any) -> None:
+        row, new = self._movable("velocity"), validate.vector(value, "velocity")
+        self._world.bodies.vx[row], self._world.bodies.vy[row] = new
+
+    @property
+    def vx(self) -> float:
+        """(m/s)"""
+        return self._world.bodies.vx[self._row()]
+
+    @property
+    def vy(self) -> float:
+        """(m/s)"""
+        return self._world.bodies.vy[self._row()]
+
+    @property
+    def speed(self) -> float:
+        """Of the centre of mass (m/s)."""
+        vx, vy = self.velocity
+        return math.sqrt(vx * vx + vy * vy)
+
+    @property
+    def spin(self) -> float:
+        """Angular velocity, counter-clockwise (rad/s)."""
+        return self._world.bodies.spin[self._row()]
+
+    @spin.setter
+    def spin(self, value: Any) -> None:
+        row, new = self._movable("spin"), validate.finite(value, "spin")
+        if new and isinstance(self.shape, Particle):
+            raise ValueError(f"a particle never rotates, so its spin cannot be {new}")
+        self._world.bodies.spin[row] = new
+
+    @property
+    def mass(self) -> float:
+        """(kg); infinite for a wall. Setting it scales the moment of inertia alike."""
+        return self._world.bodies.mass[self._row()]
+
+    @mass.setter
+    def mass(self, value: Any) -> None:
+        row, new = self._movable("mass"), validate.positive(value, "mass")
+        bodies = self._world.bodies
+        inertia = bodies.inertia[row] * (new / bodies.mass[row])
+        bodies.mass[row], bodies.inverse_mass[row] = new, 1.0 / new
+        bodies.inertia[row], bodies.inverse_inertia[row] = inertia, 1.0 / inertia
+
+    @property
+    def inertia(self) -> float:
+        """Mass moment of inertia about the centre (kg m^2); infinite for walls and particles."""
+        return self._world.bodies.inertia[self._row()]
+
+    @property
+    def restitution(self) -> float:
+        """Share of the approach speed that an impact gives back, 0..1."""
+        return self._world.bodies.restitution[self._row()]
+
+    @restitution.setter
+    def restitution(self, value: Any) -> None:
+        self._world.bodies.restitution[self._row()] = validate.fraction(value, "restitution")
+        self._world.rematerial()
+
+    @property
+    def friction(self) -> float:
+        """Coulomb's coefficient, >= 0."""
+        return self._world.bodies.friction[self._row()]
+
+    @friction.setter
+    def friction(self, value: Any) -> None:
+        self._world.bodies.friction[self._row()] = validate.not_negative(value, "friction")
+        self._world.rematerial()
+
+    @property
+    def momentum(self) -> Vector:
+        """(kg m/s); zero for a wall."""
+        if self.is_wall:
+            return Vector(0.0, 0.0)
+        mass, velocity = self.mass, self.velocity
+        return Vector(mass * velocity.x, mass * velocity.y)
+
+    @property
+    def angular_momentum(self) -> float:
+        """About the origin of the world (kg m^2/s); zero for a wall."""
+        if self.is_wall:
+            return 0.0
+        at, momentum = self.position, self.momentum
+        own = 0.0 if isinstance(self.shape, Particle) else self.inertia * self.spin
+        return at.x * momentum.y - at.y * momentum.x + own
+
+    @property
+    def kinetic_energy(self) -> float:
+        """Of motion and rotation (J); zero for a wall."""
+        if self.is_wall:
+            return 0.0
+        vx, vy = self.velocity
+        own = 0.0 if isinstance(self.shape, Particle) else self.inertia * self.spin * self.spin
+        return (self.mass * (vx * vx + vy * vy) + own) / 2.0
+
+    @property
+    def force(self) -> Vector:
+        """What acted during the last tick, contacts apart, as its mean over the tick (N)."""
+        row = self._row()
+        return Vector(self._world.bodies.force_x[row], self._world.bodies.force_y[row])
+
+    @property
+    def torque(self) -> float:
+        """What acted during the last tick, contacts apart, as its mean over the tick (N m)."""
+        return self._world.bodies.torque[self._row()]
+
+    @property
+    def vertices(self) -> tuple[Vector, ...]:
+        """Corners of a polygon or ends of a wall in the world (m); of a round body, none."""
+        if isinstance(self.shape, Wall):
+            return (self.shape.start, self.shape.end)
+        local = getattr(self.shape, "vertices", ())
+        return tuple(self.to_world(corner) for corner in local)
+
+    def to_world(self, point: Any) -> Vector:
+        """Turn a point of the body's frame into one of the world (m)."""
+        local = validate.vector(point, "point")
+        cos, sin = math.cos(self.angle), math.sin(self.angle)
+        at = Vector(0.0, 0.0) if self.is_wall else self.position
+        return Vector(at.x + cos * local.x - sin * local.y, at.y + sin * local.x + cos * local.y)
+
+    def to_local(self, point: Any) -> Vector:
+        """Turn a point of the world into one of the body's frame (m)."""
+        world = validate.vector(point, "point")
+        cos, sin = math.cos(self.angle), math.sin(self.angle)
+        at = Vector(0.0, 0.0) if self.is_wall else self.position
+        x, y = world.x - at.x, world.y - at.y
+        return Vector(cos * x + sin * y, cos * y - sin * x)
+
+    def exert(self, effort: Force | Torque, duration: float | None = None, at: Any = None) -> Push:
+        """Push or turn the body from the next tick on; return the push.
+
+        Args:
+            effort: a force keeps its direction in the world, whatever the body does.
+            duration: how long it acts (s); None: until `stop()`. What it delivers in all is
+                exactly force times duration, whatever the tick.
+            at: point of attack of a force (m, world); it moves and turns with the body from now
+                on. None: the centre of mass.
+        """
+        self._movable("force")
+        if not isinstance(effort, Force | Torque):
+            raise TypeError(f"only a Force or a Torque can be exerted, not {effort!r}")
+        lasts = math.inf if duration is None else validate.positive(duration, "duration")
+        if isinstance(effort, Torque):
+            if at is not None:
+                raise ValueError("a torque has no point of attack")
+            return self._world.push(self, 0.0, 0.0, effort.value, Vector(0.0, 0.0), lasts)
+        point = Vector(0.0, 0.0) if at is None else self.to_local(at)
+        return self._world.push(self, effort.x, effort.y, 0.0, point, lasts)
+
+    def apply_impulse(self, impulse: Any, at: Any = None) -> None:
+        """Change the momentum at once by `impulse` (N s, world), at a point (m, world)."""
+        row, given = self._movable("impulse"), validate.vector(impulse, "impulse")
+        bodies = self._world.bodies
+        bodies.vx[row] += bodies.inverse_mass[row] * given.x
+        bodies.vy[row] += bodies.inverse_mass[row] * given.y
+        if at is not None:
+            point, centre = validate.vector(at, "at"), self.position
+            turn = (point.x - centre.x) * given.y - (point.y - centre.y) * given.x
+            bodies.spin[row] += bodies.inverse_inertia[row] * turn
+
+    def _row(self) -> int:
+        return self._world.row(self)
+
+    def _movable(self, what: str) -> int:
+        row = self._row()
+        if self.is_wall:
+            raise ValueError(f"a wall is immovable: {self.name} takes no {what}")
+        return row

@@ -1,0 +1,46 @@
+"""A copy of all that varies in a world, to come back to."""
+
+import hashlib
+import struct
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from engine.body import Body
+from engine.tables import Bodies, Pushes, arrays
+
+STATE = (
+    "id", "x", "y", "angle", "vx", "vy", "spin", "mass", "inertia", "restitution", "friction",
+    "force_x", "force_y", "torque", "held",
+)  # fmt: skip
+"""The columns of `Bodies` that tell two worlds apart; the others follow from them."""
+
+
+@dataclass(frozen=True)
+class Snapshot:
+    """What `World.snapshot` copied; good for `World.restore`, any number of times."""
+
+    tables: tuple[tuple[Any, ...], ...]
+    """Arrays of each table, cut to the rows in use."""
+    numbers: tuple[float, ...]
+    """Counters and clock."""
+    handles: tuple[Body, ...]
+
+
+def digest(
+    bodies: Bodies, count: int, pushes: Pushes, pushing: int, clock: tuple[float, ...], rest: Any
+) -> str:
+    """Hash of the bytes of the state (SHA-256, hexadecimal): equal worlds have equal digests.
+
+    Names, callbacks, the process and the machine have no part in it; `rest` holds arrays of the
+    resting contacts.
+    """
+    hashed = hashlib.sha256(struct.pack("<qq", count, pushing))
+    hashed.update(struct.pack(f"<{len(clock)}d", *clock))
+    columns = [np.asarray(getattr(bodies, name))[:count] for name in STATE]
+    columns += [column[:pushing] for column in arrays(pushes)]
+    for column in [*columns, *rest]:
+        kind = "<i8" if column.dtype.kind == "i" else "<f8"
+        hashed.update(np.ascontiguousarray(column).astype(kind, copy=False).tobytes())
+    return hashed.hexdigest()

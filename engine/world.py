@@ -1,0 +1,396 @@
+"""The room in which bodies move."""
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from engine import snapshot as snapshots
+from engine import validate
+from engine.accelerate import accelerate
+from engine.body import Body, OnCollision, OnMove
+from engine.collision import Collision, Diverged, Removed
+from engine.forces import Drag, Push
+from engine.settings import TICK, Rule, geometric_mean, larger, laws
+from engine.shapes import Particle, Polygon, Shape, Wall
+from engine.snapshot import Snapshot
+from engine.tables import Bodies, Corners, Pushes, allocate, arrays, grow, remove_row, views
+from engine.vector import Vector
+
+
+class World:
+    """A room of rigid bodies that obeys Newton's laws, one tick at a time.
+
+    Args:
+        gravity: acceleration that every body feels (m/s^2).
+        drag: `LinearDrag`, `QuadraticDrag` or None.
+        integrator: "semi-implicit-euler", "velocity-verlet", "explicit-euler" or "rk4".
+        substeps: into how many parts a tick is divided for bodies that rest on each other.
+        restitution_rule: makes the restitution of a pair from those of its two bodies; None:
+            the larger.
+        friction_rule: the same for friction; None: the geometric mean.
+    """
+
+    def __init__(
+        self,
+        gravity: Any = (0.0, 0.0),
+        drag: Drag | None = None,
+        integrator: str = "semi-implicit-euler",
+        substeps: int = 6,
+        restitution_rule: Rule | None = None,
+        friction_rule: Rule | None = None,
+    ) -> None:
+        self.laws = laws(gravity, drag, integrator, substeps)
+        self.restitution_rule = restitution_rule or larger
+        self.friction_rule = friction_rule or geometric_mean
+        self.tick = 0
+        """Number of steps taken."""
+        self._count = 0
+        self._corner_count = 0
+        self._push_count = 0
+        self._next_body = 1
+        self._next_push = 1
+        self._clock = (0.0, 0, 0.0)  # time = base + ticks * dt, so that sixty ticks are 1 s
+        self._handles: dict[int, Body] = {}
+        self._rows: dict[int, int] = {}
+        self.bodies = views(allocate(Bodies, 16))
+        self.corners = views(allocate(Corners, 64))
+        self.pushes = views(allocate(Pushes, 8))
+
+    def step(self, dt: float = TICK) -> list[Collision]:
+        """Advance by `dt` seconds; return the collisions that happened, in order of time.
+
+        Nothing calls back from inside. Same tables in, same tables out.
+
+        Raises:
+            Diverged: when a body left the range of numbers; the world is then of no more use.
+        """
+        dt = validate.positive(dt, "dt")
+        moved = self._where_callbacks_look()
+        accelerate(self.bodies, self._count, self.pushes, self._push_count, self.laws, dt)
+        self._fly(dt)
+        self._end_pushes()
+        self._tell_time(dt)
+        self._refuse_divergence()
+        collisions: list[Collision] = []
+        self._call_back(moved, collisions)
+        return collisions
+
+    def add(
+        self,
+        shape: Shape,
+        *,
+        mass: float | None = None,
+        position: Any = None,
+        angle: float | None = None,
+        velocity: Any = None,
+        spin: float | None = None,
+        restitution: float = 0.0,
+        friction: float = 0.0,
+        inertia: float | None = None,
+        name: str | None = None,
+        on_move: OnMove | None = None,
+        on_collision: OnCollision | None = None,
+    ) -> Body:
+        """Put a body into the world; return its handle.
+
+        Mass is 1 kg, the rest zero unless given; the moment of inertia follows from shape and mass.
+        A wall takes none of mass, position, angle, velocity, spin, inertia.
+        """
+        if not isinstance(shape, Shape):
+            raise TypeError(f"a body needs a Circle, Particle, Polygon or Wall, not {shape!r}")
+        given = {"mass": mass, "position": position, "angle": angle, "velocity": velocity}
+        given |= {"spin": spin, "inertia": inertia}
+        if isinstance(shape, Wall):
+            for what, value in given.items():
+                if value is not None:
+                    raise ValueError(f"a wall is immovable: it takes no {what} {value}")
+        elif isinstance(shape, Particle) and (inertia is not None or spin):
+            raise ValueError("a particle never rotates: it takes no inertia and no spin")
+        values = {
+            "restitution": validate.fraction(restitution, "restitution"),
+            "friction": validate.not_negative(friction, "friction"),
+            **_inertness(shape, mass, inertia),
+            **_motion(position, angle, velocity, spin),
+        }
+        id = self._next_body
+        self._next_body += 1
+        kind = type(shape).__name__.lower()
+        body = Body(self, id, shape, f"{kind} {id}" if name is None else str(name))
+        body.on_move, body.on_collision = on_move, on_collision
+        self._place(body, values)
+        return body
+
+    def remove(self, body: Body) -> None:
+        """Take a body, with all that pushes it, out of the world; its handle is then refused."""
+        row = self.row(body)
+        for i in reversed(range(self._push_count)):
+            if self.pushes.row[i] == row:
+                self._drop_push(i)
+        rows = np.asarray(self.pushes.row)[: self._push_count]
+        rows[rows > row] -= 1
+        first, corners = self.bodies.first[row], self.bodies.corners[row]
+        for _ in range(corners):
+            remove_row(self.corners, first, self._corner_count)
+            self._corner_count -= 1
+        remove_row(self.bodies, row, self._count)
+        self._count -= 1
+        np.asarray(self.bodies.first)[row : self._count] -= corners
+        del self._handles[body.id]
+        self._rows = {id: i for i, id in enumerate(self._handles)}
+        self.displaced()
+
+    def __iter__(self) -> Iterator[Body]:
+        """The bodies, walls too, in the order of their ids."""
+        return iter(list(self._handles.values()))
+
+    def __len__(self) -> int:
+        """Number of bodies, walls too."""
+        return len(self._handles)
+
+    def body(self, id: int) -> Body:
+        """The body with this id.
+
+        Raises:
+            Removed: (a LookupError) if there is none.
+        """
+        if id not in self._handles:
+            raise Removed(f"there is no body {id} in this world")
+        return self._handles[id]
+
+    @property
+    def time(self) -> float:
+        """Since the world began (s)."""
+        base, ticks, dt = self._clock
+        return base + ticks * dt
+
+    @property
+    def gravity(self) -> Vector:
+        """Acceleration that every body feels (m/s^2)."""
+        return Vector(self.laws.gravity_x, self.laws.gravity_y)
+
+    @gravity.setter
+    def gravity(self, value: Any) -> None:
+        down = validate.vector(value, "gravity")
+        self.laws = self.laws._replace(gravity_x=down.x, gravity_y=down.y)
+
+    @property
+    def momentum(self) -> Vector:
+        """Of all bodies (kg m/s)."""
+        each = [body.momentum for body in self]
+        return Vector(math.fsum(p.x for p in each), math.fsum(p.y for p in each))
+
+    @property
+    def angular_momentum(self) -> float:
+        """Of all bodies about the origin (kg m^2/s)."""
+        return math.fsum(body.angular_momentum for body in self)
+
+    @property
+    def kinetic_energy(self) -> float:
+        """Of all bodies, rotation included (J)."""
+        return math.fsum(body.kinetic_energy for body in self)
+
+    @property
+    def potential_energy(self) -> float:
+        """Of all bodies in the gravity, zero at the origin (J)."""
+        down = self.gravity
+        each = (
+            -body.mass * (down.x * body.x + down.y * body.y) for body in self if not body.is_wall
+        )
+        return math.fsum(each)
+
+    def snapshot(self) -> Snapshot:
+        """Copy all that varies; `restore` brings it back bit for bit."""
+        used: list[tuple[Any, int]] = [(self.bodies, self._count)]
+        used += [(self.corners, self._corner_count), (self.pushes, self._push_count)]
+        tables = tuple(tuple(column[:n].copy() for column in arrays(t)) for t, n in used)
+        numbers = (self.tick, *self._clock, self._next_body, self._next_push)
+        return Snapshot(tables, numbers, tuple(self._handles.values()))
+
+    def restore(self, snapshot: Snapshot) -> None:
+        """Go back to a snapshot of this world; bodies added since are gone, removed ones return."""
+        if not isinstance(snapshot, Snapshot):
+            raise TypeError(f"only a Snapshot can be restored, not {snapshot!r}")
+        if any(body._world is not self for body in snapshot.handles):
+            raise ValueError("the snapshot is of another world")
+        bodies, corners, pushes = snapshot.tables
+        self.bodies, self._count = _refill(self.bodies, bodies)
+        self.corners, self._corner_count = _refill(self.corners, corners)
+        self.pushes, self._push_count = _refill(self.pushes, pushes)
+        tick, base, ticks, dt, next_body, next_push = snapshot.numbers
+        self.tick, self._clock = int(tick), (base, int(ticks), dt)
+        self._next_body, self._next_push = int(next_body), int(next_push)
+        self._handles = {body.id: body for body in snapshot.handles}
+        self._rows = {id: i for i, id in enumerate(self._handles)}
+
+    def digest(self) -> str:
+        """Hash of the state (SHA-256, hexadecimal): equal for equal worlds on any machine."""
+        clock = (float(self.tick), self.time)
+        return snapshots.digest(self.bodies, self._count, self.pushes, self._push_count, clock, ())
+
+    # What the handles ask for.
+
+    def row(self, body: Body) -> int:
+        """Row of a body in the tables.
+
+        Raises:
+            Removed: (a LookupError) if it is no longer in this world.
+        """
+        row = self._rows.get(body.id)
+        if row is None or body._world is not self or self._handles[body.id] is not body:
+            raise Removed(f"{body.name} is not in this world")
+        return row
+
+    def push(self, body: Body, x: float, y: float, torque: float, at: Vector, lasts: float) -> Push:
+        """Let a force (N) or torque (N m) act; see `Body.exert`."""
+        if self._push_count == len(self.pushes.id):
+            self.pushes = views(grow(self.pushes, 2 * self._push_count))
+        id = self._next_push
+        self._next_push += 1
+        values = (id, self.row(body), x, y, torque, at.x, at.y, lasts)
+        columns: tuple[Any, ...] = self.pushes
+        for column, value in zip(columns, values, strict=True):
+            column[self._push_count] = value
+        self._push_count += 1
+        return Push(self, id)
+
+    def is_acting(self, push: int) -> bool:
+        """Whether the push with this id still acts."""
+        return any(self.pushes.id[i] == push for i in range(self._push_count))
+
+    def stop(self, push: int) -> None:
+        """End the push with this id, if it still acts."""
+        for i in range(self._push_count):
+            if self.pushes.id[i] == push:
+                self._drop_push(i)
+                return
+
+    def displaced(self) -> None:
+        """Take note that a body was moved by hand, added or removed."""
+
+    def rematerial(self) -> None:
+        """Take note that restitution or friction of a body was changed by hand."""
+
+    # The parts of a step.
+
+    def _fly(self, dt: float) -> None:
+        b = self.bodies
+        for i in range(self._count):
+            b.x[i] += dt * (b.vx[i] + b.lead_x[i] + b.ax[i] * dt / 2.0)
+            b.y[i] += dt * (b.vy[i] + b.lead_y[i] + b.ay[i] * dt / 2.0)
+            b.angle[i] += dt * (b.spin[i] + b.lead_spin[i] + b.aspin[i] * dt / 2.0)
+            b.vx[i] += b.ax[i] * dt
+            b.vy[i] += b.ay[i] * dt
+            b.spin[i] += b.aspin[i] * dt
+
+    def _end_pushes(self) -> None:
+        for i in reversed(range(self._push_count)):
+            if self.pushes.left[i] <= 0.0:
+                self._drop_push(i)
+
+    def _drop_push(self, i: int) -> None:
+        remove_row(self.pushes, i, self._push_count)
+        self._push_count -= 1
+
+    def _tell_time(self, dt: float) -> None:
+        base, ticks, last = self._clock
+        self.tick += 1
+        self._clock = (base, ticks + 1, dt) if dt == last else (self.time, 1, dt)
+
+    def _refuse_divergence(self) -> None:
+        b = self.bodies
+        for body, i in zip(self._handles.values(), range(self._count), strict=True):
+            reach = b.x[i] + b.y[i] + b.angle[i] + b.vx[i] + b.vy[i] + b.spin[i]
+            if not -1e100 < reach < 1e100:
+                raise Diverged(f"{body.name} left the range of numbers in tick {self.tick}")
+
+    def _where_callbacks_look(self) -> list[tuple[Body, Vector, float]]:
+        listeners = [body for body in self._handles.values() if body.on_move is not None]
+        return [(body, body.position, body.angle) for body in listeners]
+
+    def _call_back(
+        self, before: list[tuple[Body, Vector, float]], collisions: list[Collision]
+    ) -> None:
+        for body, position, angle in before:
+            moved = body.id in self._handles and (body.position, body.angle) != (position, angle)
+            if moved and body.on_move is not None:
+                body.on_move(body)
+        for collision in collisions:
+            for body in (collision.a, collision.b):
+                if body.id in self._handles and body.on_collision is not None:
+                    body.on_collision(body, collision)
+
+    def _place(self, body: Body, values: dict[str, float]) -> None:
+        """Write a new body into the tables."""
+        shape, row = body.shape, self._count
+        points = _corner_points(shape)
+        if row == len(self.bodies.id):
+            self.bodies = views(grow(self.bodies, 2 * row))
+        while self._corner_count + len(points) > len(self.corners.x):
+            self.corners = views(grow(self.corners, 2 * len(self.corners.x)))
+        for column in self.bodies:
+            column[row] = 0
+        b = self.bodies
+        b.id[row], b.first[row], b.corners[row] = body.id, self._corner_count, len(points)
+        for name, value in values.items():
+            getattr(b, name)[row] = value
+        b.radius[row] = getattr(shape, "radius", 0.0)
+        b.reach[row] = b.radius[row] + max(math.dist(p, (0.0, 0.0)) for p in points)
+        b.one_sided[row] = int(isinstance(shape, Wall) and shape.one_sided)
+        inner = math.inf
+        for i, start in enumerate(points):
+            end = points[(i + 1) % len(points)]
+            k = self._corner_count + i
+            x, y = end.x - start.x, end.y - start.y
+            length = math.sqrt(x * x + y * y) or 1.0
+            self.corners.x[k], self.corners.y[k] = start
+            self.corners.normal_x[k], self.corners.normal_y[k] = y / length, -x / length
+            inner = min(inner, (start.x * y - start.y * x) / length)
+        b.inner[row] = inner if isinstance(shape, Polygon) else b.radius[row]
+        self._corner_count += len(points)
+        self._count += 1
+        self._handles[body.id] = body
+        self._rows[body.id] = row
+        self.displaced()
+
+
+def _corner_points(shape: Shape) -> tuple[Vector, ...]:
+    """Corners of the hull that is rounded by the radius: one for round shapes (m)."""
+    if isinstance(shape, Polygon):
+        return shape.vertices
+    if isinstance(shape, Wall):
+        return (shape.start, shape.end)
+    return (Vector(0.0, 0.0),)
+
+
+def _inertness(shape: Shape, mass: float | None, inertia: float | None) -> dict[str, float]:
+    """Mass, moment of inertia and their inverses, as columns of `Bodies`."""
+    if isinstance(shape, Wall):
+        still = {"mass": math.inf, "inertia": math.inf}
+        return still | {"inverse_mass": 0.0, "inverse_inertia": 0.0}
+    kg = 1.0 if mass is None else validate.positive(mass, "mass")
+    turning = shape.inertia(kg) if inertia is None else validate.positive(inertia, "inertia")
+    return {
+        "mass": kg, "inverse_mass": 1.0 / kg, "inertia": turning, "inverse_inertia": 1.0 / turning,
+    }  # fmt: skip
+
+
+def _motion(position: Any, angle: Any, velocity: Any, spin: Any) -> dict[str, float]:
+    """Pose and motion, as columns of `Bodies`."""
+    nowhere = (0.0, 0.0)
+    x, y = validate.vector(nowhere if position is None else position, "position")
+    vx, vy = validate.vector(nowhere if velocity is None else velocity, "velocity")
+    turned = validate.finite(0.0 if angle is None else angle, "angle")
+    turning = validate.finite(0.0 if spin is None else spin, "spin")
+    return {"x": x, "y": y, "vx": vx, "vy": vy, "angle": turned, "spin": turning}
+
+
+def _refill(table: Any, columns: tuple[Any, ...]) -> tuple[Any, int]:
+    """Put saved columns back into a table (or a larger one); return it and its number of rows."""
+    rows = len(columns[0])
+    if rows > len(table[0]):
+        table = views(grow(table, 2 * rows))
+    for column, saved in zip(arrays(table), columns, strict=True):
+        column[:rows] = saved
+    return table, rows
