@@ -1,0 +1,69 @@
+"""What a scenario may call by name: the screens with their widgets, probes and settings."""
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+
+from screens.lessons import LESSONS
+
+from screens.lesson import Setting
+
+SCREENS: tuple[str, ...] = tuple(LESSONS)
+"""The lessons' ids, in their order."""
+
+NAVIGATION = "nav."
+"""How the ids of the widgets begin that lead to another screen."""
+
+
+@dataclass(frozen=True)
+class Names:
+    """The names of one screen, or of several."""
+
+    widgets: tuple[str, ...]
+    probes: tuple[str, ...]
+    """With a literal N where a number from 1 stands."""
+    settings: Mapping[str, Setting]
+
+    def has_probe(self, name: str) -> bool:
+        """Whether there can be such a probe; whether it exists yet shows when it is read."""
+        return name in self.probes or any(
+            re.fullmatch(numbered(pattern), name) for pattern in self.probes if ".N." in pattern
+        )
+
+    @property
+    def fields(self) -> tuple[str, ...]:
+        """What `fill` can type into."""
+        end = ".field"
+        return tuple(name.removesuffix(end) for name in self.widgets if name.endswith(end))
+
+
+def numbered(pattern: str) -> str:
+    """The regular expression for a probe's name with an N in it."""
+    return re.escape(pattern).replace(r"\.N\.", r"\.[1-9][0-9]{0,4}\.")
+
+
+@cache
+def of_screen(screen: str) -> Names:
+    """The names of one screen."""
+    lesson = LESSONS[screen]
+    return Names(tuple(lesson.WIDGETS), tuple(lesson.PROBES), dict(lesson.SETTINGS))
+
+
+@cache
+def of_all() -> Names:
+    """The names of all screens together."""
+    each = [of_screen(screen) for screen in SCREENS]
+    return Names(
+        tuple(dict.fromkeys(name for names in each for name in names.widgets)),
+        tuple(dict.fromkeys(name for names in each for name in names.probes)),
+        {name: setting for names in each for name, setting in names.settings.items()},
+    )
+
+
+@cache
+def languages() -> tuple[str, ...]:
+    """The languages that there are texts for."""
+    texts = files("assets").joinpath("text").iterdir()
+    return tuple(sorted(p.name.removesuffix(".toml") for p in texts if p.name.endswith(".toml")))
