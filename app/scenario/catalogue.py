@@ -8,6 +8,8 @@ from importlib.resources import files
 
 from screens.lessons import LESSONS
 
+from app.scenario.mistakes import Refused, quote, refuse, suggest
+from app.scenario.nodes import ScalarNode
 from screens.lesson import Setting
 
 SCREENS: tuple[str, ...] = tuple(LESSONS)
@@ -31,6 +33,11 @@ class Names:
         return name in self.probes or any(
             re.fullmatch(numbered(pattern), name) for pattern in self.probes if ".N." in pattern
         )
+
+    def of(self, what: str) -> tuple[str, ...]:
+        """The names of one kind; `what` is "widget", "probe" or "setting"."""
+        kinds = {"widget": self.widgets, "probe": self.probes, "setting": tuple(self.settings)}
+        return kinds[what]
 
     @property
     def fields(self) -> tuple[str, ...]:
@@ -67,3 +74,16 @@ def languages() -> tuple[str, ...]:
     """The languages that there are texts for."""
     texts = files("assets").joinpath("text").iterdir()
     return tuple(sorted(p.name.removesuffix(".toml") for p in texts if p.name.endswith(".toml")))
+
+
+def unknown_name(node: ScalarNode, names: Names, what: str) -> Refused:
+    """The refusal of a name that is none of these; `what` is "widget", "probe" or "setting"."""
+    word = node.text
+    code, sentence = f"unknown-{what}", f"unknown {what} {quote(word)}"
+    for screen in SCREENS:
+        elsewhere = of_screen(screen)
+        if word in elsewhere.of(what) or (what == "probe" and elsewhere.has_probe(word)):
+            return refuse(node.place, code, sentence, f"it belongs to the screen '{screen}'")
+    number = re.match(r"\w+\.([1-9][0-9]{0,4})\.", word)
+    known = [name.replace(".N.", f".{number[1] if number else 1}.") for name in names.of(what)]
+    return refuse(node.place, code, sentence, suggest(word, known))

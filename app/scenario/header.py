@@ -3,9 +3,9 @@
 import re
 from dataclasses import dataclass
 
-from app.scenario.catalogue import SCREENS, Names, languages
+from app.scenario.catalogue import SCREENS, Names, languages, unknown_name
 from app.scenario.kinds import Choice, Field, Number, Schema, Text, wrong
-from app.scenario.mistakes import Mistake, Refused, quote, refuse, suggest
+from app.scenario.mistakes import Mistake, Refused, refuse
 from app.scenario.nodes import MapNode, Node, ScalarNode
 from app.scenario.paths import Folders, OutputKind, OutputsKind
 
@@ -97,13 +97,7 @@ class SettingsKind:
         """The range of the setting that a node names."""
         setting = self.names.settings.get(name.text)
         if setting is None:
-            known = tuple(self.names.settings)
-            raise refuse(
-                name.place,
-                "unknown-setting",
-                f"unknown setting {quote(name.text)}",
-                suggest(name.text, known),
-            )
+            raise unknown_name(name, self.names, "setting")
         return Number(setting.low, setting.high, setting.whole, setting.unit)
 
     def schema(self) -> Schema:

@@ -241,7 +241,6 @@ class ListOf(Kind[tuple[T, ...]]):
     each: Kind[T]
     what: str
     """Such as "a list of steps"."""
-    least: int = 1
 
     @property
     def name(self) -> str:
@@ -250,14 +249,12 @@ class ListOf(Kind[tuple[T, ...]]):
     def read(self, node: Node, key: str) -> tuple[T, ...]:
         if not isinstance(node, ListNode):
             raise wrong(node, key, self)
-        if len(node.items) < self.least:
-            raise refuse(
-                node.place, "missing-value", f"{quote(key)} needs at least {self.least} of them"
-            )
+        if not node.items:
+            raise refuse(node.place, "missing-value", f"{quote(key)} must have an entry")
         return tuple(read_all(self.each, node.items, key))
 
     def schema(self) -> Schema:
-        return {"type": "array", "items": self.each.schema(), "minItems": self.least}
+        return {"type": "array", "items": self.each.schema(), "minItems": 1}
 
 
 def read_all(kind: Kind[T], nodes: Sequence[Node], key: str) -> list[T]:
@@ -328,7 +325,7 @@ class Record(Kind[T]):
                         node.place,
                         "missing-key",
                         f"{quote(key)} needs the key '{word}'" if key else f"'{word}' is missing",
-                        f"add '{word}:', {field.kind.name}",
+                        f"'{word}' must be {field.kind.name}",
                     )
                 )
         if mistakes:

@@ -11,6 +11,37 @@ SHOWN = 100
 QUOTED = 60
 """Characters of somebody's text that a sentence quotes at most."""
 
+LISTED = 12
+"""Known words that a help lists at most."""
+
+TOLD = 100
+"""Mistakes that a report prints at most."""
+
+SYNONYMS = {
+    "assert": "expect",
+    "check": "expect",
+    "click": "tap",
+    "delay": "wait",
+    "description": "alt",
+    "framerate": "fps",
+    "include": "run",
+    "language": "lang",
+    "lesson": "screen",
+    "loop": "repeat",
+    "name": "title",
+    "out": "output",
+    "pause": "wait",
+    "press": "tap",
+    "resolution": "size",
+    "settings": "set",
+    "sleep": "wait",
+    "text": "caption",
+    "touch": "tap",
+    "type": "fill",
+    "version": "laws",
+}
+"""Words that people try, from other programs, for those that there are."""
+
 
 @dataclass(frozen=True, slots=True)
 class Place:
@@ -53,7 +84,7 @@ class ScenarioMistakes(Exception):
                 key=lambda m: (m.place.path != first, m.place.path, m.place.line, m.place.column),
             )
         )
-        super().__init__("\n\n".join(render(mistake) for mistake in self.mistakes))
+        super().__init__(report(self.mistakes))
 
 
 class Refused(Exception):
@@ -87,6 +118,13 @@ def render(mistake: Mistake) -> str:
     return "\n".join(rows)
 
 
+def report(mistakes: Sequence[Mistake]) -> str:
+    """All mistakes, one below the other; of very many only the first, and how many more."""
+    told = [render(mistake) for mistake in mistakes[:TOLD]]
+    more = len(mistakes) - len(told)
+    return "\n\n".join([*told, f"... and {more} more mistakes"] if more else told)
+
+
 def visible(text: str) -> str:
     """The text with a mark in place of every character that a terminal might obey."""
     return "".join(c if c == "\t" or c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in text)
@@ -103,17 +141,22 @@ def quote(text: str) -> str:
 def nearest(word: str, known: Iterable[str]) -> str | None:
     """The known word that `word` was most likely meant to be, or None."""
     words = list(known)
+    synonym = SYNONYMS.get(word.casefold())
+    if synonym in words:
+        return synonym
     lowered = {name.casefold(): name for name in reversed(words)}
     close = difflib.get_close_matches(word[:QUOTED].casefold(), lowered, n=1, cutoff=0.6)
     return lowered[close[0]] if close else None
 
 
-def suggest(word: str, known: Sequence[str], what: str = "known here") -> str:
-    """The help for an unknown word: the nearest known one, or all of them."""
+def suggest(word: str, known: Sequence[str]) -> str:
+    """The help for an unknown word: the nearest known one, or all of them if they are few."""
     close = nearest(word, known)
     if close is not None:
         return f"did you mean '{close}'?"
-    return f"{what}: {', '.join(known)}" if known else ""
+    if len(known) > LISTED:
+        return "'laws list' shows all that there are"
+    return f"known here: {', '.join(known)}" if known else ""
 
 
 def _window(source: str, column: int) -> tuple[str, int]:

@@ -84,9 +84,9 @@ def found(node: Node) -> str:
     """How a sentence names what stands there."""
     match node:
         case ListNode():
-            return "a list"
+            return "a list" if node.items else "an empty list"
         case MapNode():
-            return "a mapping"
+            return "a mapping" if node.entries else "an empty mapping"
         case ScalarNode() if node.is_nothing:
             return "nothing"
         case ScalarNode() if node.is_number and len(node.text) < 30:

@@ -38,7 +38,7 @@ class Folders:
                 place,
                 "outside-folder",
                 f"{quote(path)} leads out of the scenario's folder and the working folder",
-                "use a path inside one of them, such as 'out/film.mp4'",
+                "use a path inside one of them",
             )
 
 

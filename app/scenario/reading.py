@@ -116,6 +116,8 @@ class _Builder:
         self.mistakes: list[Mistake] = []
         self.open: list[_Open] = []
         self.documents: list[Node] = []
+        self.aliases: set[str] = set()
+        """Those that were noted already: once each is enough."""
 
     def document(self) -> Node:
         try:
@@ -145,7 +147,9 @@ class _Builder:
                     Mistake(place, "several-documents", "a second document starts here", help),
                 )
             case AliasEvent():
-                self.note(event, "alias", "an alias is not allowed")
+                if event.anchor not in self.aliases:
+                    self.aliases.add(event.anchor)
+                    self.note(event, "alias", "an alias is not allowed")
                 self.put(ScalarNode(self.place(event), "", plain=False))
             case ScalarEvent() | CollectionStartEvent():
                 if event.anchor is not None:
@@ -216,6 +220,8 @@ class _Builder:
 
     def syntax(self, error: MarkedYAMLError) -> Mistake:
         mark = error.problem_mark or error.context_mark
+        if error.context_mark and "could not find expected ':'" in str(error.problem):
+            mark = error.context_mark
         place = self.text.place(mark.line, mark.column) if mark else self.text.place(0, 0)
         problem = str(error.problem or error.context)
         for told, sentence, help in _SYNTAX:

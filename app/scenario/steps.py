@@ -7,7 +7,7 @@ from math import inf
 from typing import Any
 
 from app.scenario import model
-from app.scenario.catalogue import Names, numbered
+from app.scenario.catalogue import Names, numbered, unknown_name
 from app.scenario.kinds import Field, Kind, Number, Pair, Schema, Time, read_all, unknown, wrong
 from app.scenario.mistakes import Mistake, Refused, refuse
 from app.scenario.nodes import ListNode, MapNode, Node, ScalarNode
@@ -33,7 +33,7 @@ class TargetKind:
         if not isinstance(node, ScalarNode) or not node.is_text or not node.text.strip():
             raise wrong(node, key, self)
         if _ID.fullmatch(node.text) and node.text not in self.names.widgets:
-            raise unknown(node, "widget", self.names.widgets, "unknown-widget")
+            raise unknown_name(node, self.names, "widget")
         return node.text
 
     def schema(self) -> Schema:
@@ -53,7 +53,7 @@ class ProbeKind:
         if not isinstance(node, ScalarNode) or not node.is_text:
             raise wrong(node, key, self)
         if not self.names.has_probe(node.text):
-            raise unknown(node, "probe", self.names.probes, "unknown-probe")
+            raise unknown_name(node, self.names, "probe")
         return node.text
 
     def schema(self) -> Schema:
