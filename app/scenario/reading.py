@@ -31,6 +31,8 @@ _LINE_END = re.compile("\r\n|[\n\r\x85\u2028\u2029]")
 _UNPRINTABLE = re.compile(
     "[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]"
 )
+_DIRECTIVE = re.compile(r"^%\S*", re.MULTILINE)
+_NO_CHARACTER = re.compile(r"\\U(?!000|0010)[0-9A-Fa-f]{8}")
 _TAB = re.compile(r"^ *\t[ \t]*(?=[^ \t#\r\n])", re.MULTILINE)
 
 
@@ -47,7 +49,7 @@ def read(content: bytes, path: str) -> Node:
             f"the file is larger than {LARGEST} bytes (256 KiB)",
         )
     text = _Text(_decode(content, path), path)
-    text.refuse_odd_characters()
+    text.refuse_odd_parts()
     return _Builder(text).document()
 
 
@@ -87,13 +89,22 @@ class _Text:
         line = bisect_right(self.starts, index) - 1
         return self.place(line, index - self.starts[line], length)
 
-    def refuse_odd_characters(self) -> None:
+    def refuse_odd_parts(self) -> None:
+        """Raise Refused for what YAML itself has no good sentence for."""
         odd = _UNPRINTABLE.search(self.text)
         if odd is not None:
             raise refuse(
                 self.at(odd.start()),
                 "control-character",
                 f"the character U+{ord(odd[0]):04X} may not stand in a scenario",
+            )
+        directive = _DIRECTIVE.search(self.text)
+        if directive is not None:
+            raise refuse(
+                self.at(directive.start(), len(directive[0])),
+                "directive",
+                "a directive is not allowed",
+                "remove the line; the format is always YAML 1.2",
             )
         tabs = [
             Mistake(
@@ -106,6 +117,12 @@ class _Text:
         ]
         if tabs:
             raise Refused(*tabs)
+
+    def no_such_character(self) -> Mistake:
+        """The mistake of an escape in double quotes beyond the last character of Unicode."""
+        escape = _NO_CHARACTER.search(self.text)
+        place = self.at(escape.start(), len(escape[0])) if escape else self.place(0, 0)
+        return Mistake(place, "syntax", "this escape stands for no character")
 
 
 class _Builder:
@@ -125,6 +142,8 @@ class _Builder:
                 self.take(event)
         except MarkedYAMLError as error:
             raise Refused(*self.mistakes, self.syntax(error)) from None
+        except ValueError:
+            raise Refused(*self.mistakes, self.text.no_such_character()) from None
         if self.mistakes:
             raise Refused(*self.mistakes)
         root = self.documents[0] if self.documents else None
