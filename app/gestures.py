@@ -58,8 +58,10 @@ def _fill(lesson: Lesson, name: str, value: float) -> tuple[Event, ...]:
     if field not in ids:
         fields = [known.removesuffix(FIELD) for known in ids if known.endswith(FIELD)]
         if not fields:
-            raise NoTarget("no dialog with fields is open", "open it with a tap first")
-        raise NoTarget(f"the open dialog has no field '{name}'", f"it has: {', '.join(fields)}")
+            raise NoTarget("missing", "no dialog with fields is open", "open it with a tap first")
+        raise NoTarget(
+            "missing", f"the open dialog has no field '{name}'", f"it has: {', '.join(fields)}"
+        )
     keys = [events.Key(character) for character in typed(value)]
     return (events.Tap(resolve(lesson, field)), *keys, events.Key("enter"))
 

@@ -1,6 +1,7 @@
 """Where a finger goes: a widget's id, a visible label or a place becomes a point of the screen."""
 
 from collections.abc import Sequence
+from typing import Literal
 
 from app.scenario.mistakes import quote, suggest
 from screens.kit.geometry import Point, Rect
@@ -9,6 +10,9 @@ from screens.lesson import Lesson, Widget
 Target = str | Point
 """A widget's id, a label a pupil can read, or a place in dp."""
 
+Reason = Literal["outside", "missing", "covered", "disabled", "ambiguous"]
+"""Why something cannot be touched."""
+
 TRIES = (0.5, 0.25, 0.75, 0.1, 0.9)
 """Parts of a widget's width and height at which it is touched, the first free one first."""
 
@@ -16,9 +20,10 @@ TRIES = (0.5, 0.25, 0.75, 0.1, 0.9)
 class NoTarget(Exception):
     """There is nothing to touch; `sentence` says why and `help` what to do about it."""
 
-    def __init__(self, sentence: str, help: str = "") -> None:
+    def __init__(self, reason: Reason, sentence: str, help: str = "") -> None:
         """`help` may be empty."""
         super().__init__(sentence)
+        self.reason = reason
         self.sentence = sentence
         self.help = help
 
@@ -36,10 +41,10 @@ def resolve(lesson: Lesson, target: Target) -> Point:
         raise _covered(widgets, named[-1])
     enabled = [(widget, at) for widget, at in free if widget.enabled]
     if not enabled:
-        raise NoTarget(f"'{free[0][0].id}' is disabled now")
+        raise NoTarget("disabled", f"'{free[0][0].id}' is disabled now")
     if len(enabled) > 1:
         ids = ", ".join(f"'{widget.id}'" for widget, _ in enabled)
-        raise NoTarget(f"'{target}' could be any of {ids}", "use the id")
+        raise NoTarget("ambiguous", f"'{target}' could be any of {ids}", "use the id")
     return enabled[0][1]
 
 
@@ -52,6 +57,7 @@ def _inside(lesson: Lesson, at: Point) -> Point:
     width, height = lesson.size
     if not Rect(0, 0, width, height).holds(at):
         raise NoTarget(
+            "outside",
             f"[{at.x:g}, {at.y:g}] lies outside the screen",
             f"the screen is {width:g} dp wide and {height:g} dp high",
         )
@@ -82,15 +88,17 @@ def _free_point(widgets: Sequence[Widget], widget: Widget) -> Point | None:
 def _missing(widgets: Sequence[Widget], target: str) -> NoTarget:
     words = [widget.id for widget in widgets] + [widget.label for widget in widgets if widget.label]
     words = list(dict.fromkeys(words))
-    return NoTarget(f"there is no {quote(target)} on the screen now", suggest(target, words))
+    return NoTarget(
+        "missing", f"there is no {quote(target)} on the screen now", suggest(target, words)
+    )
 
 
 def _covered(widgets: Sequence[Widget], widget: Widget) -> NoTarget:
     cover = touched(widgets, widget.rect.center)
     if cover is None:
-        return NoTarget(f"'{widget.id}' lies outside the screen")
+        return NoTarget("outside", f"'{widget.id}' lies outside the screen")
     ways_out = [w.id for w in widgets if w.id in ("dialog.accept", "dialog.cancel") and w.enabled]
     if not ways_out:
-        return NoTarget(f"'{widget.id}' is covered by '{cover.id}'")
+        return NoTarget("covered", f"'{widget.id}' is covered by '{cover.id}'")
     first = " or ".join(f"'{way}'" for way in ways_out)
-    return NoTarget(f"'{widget.id}' is covered by the open dialog", f"tap {first} first")
+    return NoTarget("covered", f"'{widget.id}' is covered by the open dialog", f"tap {first} first")

@@ -1,0 +1,93 @@
+"""A scenario is tried on the real lesson, without time and without a picture.
+
+Taps, drags and typing are carried out, so that one which meets nothing is found before anything is
+drawn. Time stands still, so what only time can tell (a button that is disabled while a cart runs)
+is left to the run itself.
+"""
+
+from app.gestures import gesture
+from app.scenario.catalogue import of_screen
+from app.scenario.mistakes import Mistake
+from app.scenario.model import (
+    Drag,
+    Expect,
+    Fill,
+    Repeat,
+    Run,
+    Scenario,
+    Step,
+    Tap,
+    Tilt,
+    Until,
+    Wait,
+)
+from app.stage import set_stage
+from app.targets import NoTarget
+from screens.kit import events
+
+OFTEN = 2
+"""How often a repetition is tried at most: what goes wrong the second time goes wrong always."""
+
+
+def rehearse(scenario: Scenario) -> list[Mistake]:
+    """Every step that touches or asks for something that is not there when it is its turn."""
+    rehearsal = _Rehearsal(scenario)
+    rehearsal.do(scenario.steps)
+    return list(dict.fromkeys(rehearsal.mistakes))
+
+
+class _Rehearsal:
+    """One try of a scenario, and what went wrong."""
+
+    def __init__(self, scenario: Scenario) -> None:
+        self.lessons = set_stage(scenario)
+        self.mistakes: list[Mistake] = []
+        self.sure = True
+        """Until something could not be done; from then on only what is wrong anyway is told."""
+        self.time_passed = False
+
+    def do(self, steps: tuple[Step, ...]) -> None:
+        for step in steps:
+            match step:
+                case Repeat():
+                    for _ in range(min(step.times, OFTEN)):
+                        self.do(step.steps)
+                case Run():
+                    self.do(step.steps)
+                case Tap() | Drag() | Fill():
+                    self.touch(step)
+                case Tilt():
+                    self.tilt(step)
+                case Expect() | Until():
+                    self.look(step)
+                case _:
+                    pass
+            self.time_passed |= isinstance(step, Wait | Until | Drag | Tilt)
+
+    def touch(self, step: Tap | Drag | Fill) -> None:
+        try:
+            for touch in gesture(self.lessons, step):
+                for event in touch.events:
+                    self.lessons.update(event)
+        except NoTarget as gone:
+            if gone.reason == "disabled" and self.time_passed:
+                self.sure = False
+            if self.sure or gone.reason == "outside":
+                self.note(step, "no-target", gone.sentence, gone.help)
+            self.sure = False
+
+    def tilt(self, step: Tilt) -> None:
+        angles = step.to or step.curve[-1][1:]
+        self.lessons.update(events.Tilt(*angles))
+        screen = self.lessons.lesson.id
+        if self.sure and "tilt.x" not in of_screen(screen).probes:
+            self.note(step, "no-effect", f"the screen '{screen}' does not feel a tilt")
+
+    def look(self, step: Expect | Until) -> None:
+        screen = self.lessons.lesson.id
+        if self.sure and not of_screen(screen).has_probe(step.probe):
+            sentence = f"the screen '{screen}', shown by then, has no probe '{step.probe}'"
+            self.note(step, "unknown-probe", sentence)
+
+    def note(self, step: Step, code: str, sentence: str, help: str = "") -> None:
+        self.mistakes.append(Mistake(step.place, code, sentence, help))
