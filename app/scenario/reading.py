@@ -33,7 +33,7 @@ _UNPRINTABLE = re.compile(
 )
 _DIRECTIVE = re.compile(r"^%\S*", re.MULTILINE)
 _NO_CHARACTER = re.compile(r"\\U(?!000|0010)[0-9A-Fa-f]{8}")
-_TAB = re.compile(r"^ *\t[ \t]*(?=[^ \t#\r\n])", re.MULTILINE)
+_TAB = re.compile(r"^ *\t[ \t]*(?=[^ \t\r\n])", re.MULTILINE)
 
 
 def read(content: bytes, path: str) -> Node:
@@ -242,6 +242,8 @@ class _Builder:
         if error.context_mark and "could not find expected ':'" in str(error.problem):
             mark = error.context_mark
         place = self.text.place(mark.line, mark.column) if mark else self.text.place(0, 0)
+        if place.source[place.column - 1 :].startswith("\t"):
+            return Mistake(place, "tab", "a tab stands here", "use spaces")
         problem = str(error.problem or error.context)
         for told, sentence, help in _SYNTAX:
             if told in problem:
