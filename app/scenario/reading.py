@@ -152,7 +152,7 @@ class _Builder:
                 self.text.place(0, 0),
                 "empty-file",
                 "the file is empty",
-                "'laws new inertia' prints a scenario to start from",
+                "'laws new inertia' writes a scenario to start from",
             )
         return root
 

@@ -21,17 +21,20 @@ from app.scenario.model import (
     Until,
     Wait,
 )
-from app.stage import set_stage
 from app.targets import NoTarget
 from screens.kit import events
+from screens.lessons import Lessons
 
 OFTEN = 2
 """How often a repetition is tried at most: what goes wrong the second time goes wrong always."""
 
 
-def rehearse(scenario: Scenario) -> list[Mistake]:
-    """Every step that touches or asks for something that is not there when it is its turn."""
-    rehearsal = _Rehearsal(scenario)
+def rehearse(scenario: Scenario, lessons: Lessons) -> list[Mistake]:
+    """Every step that touches or asks for something that is not there when it is its turn.
+
+    `lessons` are those that the scenario would be played on, freshly made; they are used up.
+    """
+    rehearsal = _Rehearsal(lessons)
     rehearsal.do(scenario.steps)
     return list(dict.fromkeys(rehearsal.mistakes))
 
@@ -39,8 +42,8 @@ def rehearse(scenario: Scenario) -> list[Mistake]:
 class _Rehearsal:
     """One try of a scenario, and what went wrong."""
 
-    def __init__(self, scenario: Scenario) -> None:
-        self.lessons = set_stage(scenario)
+    def __init__(self, lessons: Lessons) -> None:
+        self.lessons = lessons
         self.mistakes: list[Mistake] = []
         self.sure = True
         """Until something could not be done; from then on only what is wrong anyway is told."""
