@@ -1,0 +1,105 @@
+"""Where films go: one file per format, each written beside its name and renamed when whole.
+
+Nothing heavy is imported before an output is opened, so that a scenario can be checked quickly.
+"""
+
+import importlib
+import importlib.util
+import os
+from typing import TYPE_CHECKING
+
+from app.outputs.promise import OutputError, Promise, check_place, explained, write_bytes
+
+if TYPE_CHECKING:
+    from app.frames import Film, Sink
+
+__all__ = [
+    "SUFFIXES",
+    "OutputError",
+    "Promise",
+    "check_output",
+    "explained",
+    "kind_of",
+    "open_sink",
+    "write_bytes",
+    "write_json",
+]
+
+SUFFIXES = {
+    ".mp4": "mp4",
+    ".webm": "webm",
+    ".gif": "gif",
+    ".apng": "apng",
+    ".webp": "webp",
+    ".csv": "csv",
+    ".json": "json",
+}
+"""Kind of an output by its suffix; a path that ends in "/" is of kind "png", a folder of frames."""
+
+VIDEO_EXTRA = 'python -m pip install "laws-of-motion[video]"'
+"""What installs the encoders of .mp4 and .webm."""
+
+_ENCODERS = {
+    "mp4": ("app.outputs.video", "Mp4"),
+    "webm": ("app.outputs.video", "WebM"),
+    "gif": ("app.outputs.gif", "Gif"),
+    "apng": ("app.outputs.apng", "Apng"),
+    "webp": ("app.outputs.webp", "WebP"),
+    "png": ("app.outputs.png", "Frames"),
+    "csv": ("app.outputs.tracks", "Tracks"),
+}
+
+
+def kind_of(path: str | os.PathLike[str]) -> str | None:
+    """The kind of output a path asks for, or None if its suffix is none of `SUFFIXES`."""
+    text = os.fspath(path)
+    if text.endswith(("/", os.sep)):
+        return "png"
+    return SUFFIXES.get(os.path.splitext(text)[1].lower())
+
+
+def check_output(path: str | os.PathLike[str], size: tuple[int, int], fps: int) -> None:
+    """Refuse what `open_sink` would refuse, without touching the disk or importing an encoder.
+
+    `size` is in pixels. Raises OutputError. The report (.json) is checked for its place only.
+    """
+    kind = kind_of(path)
+    if kind is None:
+        known = " ".join(SUFFIXES)
+        raise OutputError(path, f"its kind is not known; use {known} or a folder ending in '/'")
+    if fps < 1:
+        raise OutputError(path, f"{fps} frames per second show nothing")
+    width, height = size
+    if kind in ("mp4", "webm"):
+        if width % 2 or height % 2:
+            raise OutputError(path, f"a video has even sides, not {width}x{height}")
+        if importlib.util.find_spec("av") is None:
+            raise OutputError(path, f"the video extra is missing; install it: {VIDEO_EXTRA}")
+    check_place(path, folder=kind == "png")
+
+
+def open_sink(path: str | os.PathLike[str], film: "Film") -> "Sink":
+    """Open an output of the kind its path asks for; its place is claimed before the first frame.
+
+    Raises OutputError. A report (.json) is no sink: see `write_json`.
+    """
+    check_output(path, (film.width, film.height), film.fps)
+    kind = kind_of(path)
+    if kind is None or kind not in _ENCODERS:
+        raise OutputError(path, "a report is written after the film, not frame by frame")
+    from app.outputs.kept import Kept
+
+    module, name = _ENCODERS[kind]
+    encoder = getattr(importlib.import_module(module), name)
+    return Kept(os.fspath(path), film, encoder, folder=kind == "png")
+
+
+def write_json(path: str | os.PathLike[str], data: object) -> None:
+    """Write a report: sorted keys, UTF-8, floats in their shortest form that reads back the same.
+
+    Raises OutputError, and ValueError for a NaN or an infinity, which JSON does not have.
+    """
+    import json
+
+    text = json.dumps(data, indent=2, sort_keys=True, ensure_ascii=False, allow_nan=False)
+    write_bytes(path, (text + "\n").encode("utf-8"))

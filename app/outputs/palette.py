@@ -1,0 +1,94 @@
+"""The colours of a GIF: chosen while the film runs, so that it need not be seen twice."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.frames import Pixels
+
+SIZE = 256
+TRANSPARENT = 0
+"""Index that shows no colour; in the lookup table it means "not looked up yet"."""
+
+FLAT = 0.0002
+"""Share of a picture from which a colour counts as an area, not as the soft edge of something."""
+
+CANDIDATES = 4096
+"""Colours compared at once; of more new ones in one frame, the commonest stand for entries."""
+
+_TOLERANCE = ((96, 6), (160, 10), (208, 20), (240, 40))
+"""(entries in use, distance): up to so many, a colour that far from all others gets its own."""
+
+_FLATCANDIDATES = 4096
+"""Colours compared at once; of more new ones in one frame, the commonest stand for entries."""
+
+_TOLERANCE = ((192, 1), (232, 6), (SIZE, 16))
+"""The same for areas: exact as long as there is plenty of room; the last entries are theirs."""
+
+
+class Palette:
+    """One global palette that grows: colours of areas first, then those unlike any other.
+
+    A colour keeps the entry it got when it was first seen, so what stands still does not flicker.
+    The later a colour comes, the more it must differ to get an entry of its own: some room is left
+    for the dialog, the arrow, the label that only appear near the end.
+    """
+
+    def __init__(self) -> None:
+        self._colours = np.zeros((SIZE, 3), np.int32)
+        self._used = 1
+        # A page of it costs memory only when one of its colours is met.
+        self._table = np.zeros(1 << 24, np.uint8)
+
+    def __call__(self, pixels: Pixels) -> NDArray[np.uint8]:
+        """The index of the entry that stands for each pixel: exact, or the nearest there is."""
+        indices = self._table.take(pixels, mode="clip")
+        if not indices.all():
+            self._learn(pixels[indices == TRANSPARENT], pixels.size)
+            indices = self._table.take(pixels, mode="clip")
+        return indices
+
+    def colours(self) -> bytes:
+        """The table as a GIF stores it: red, green, blue for each of the 256 entries."""
+        return self._colours.astype(np.uint8).tobytes()
+
+    def _learn(self, pixels: Pixels, area: int) -> None:
+        """Give entries to the most telling of the new colours, then each colour its nearest."""
+        values, counts = np.unique(pixels, return_counts=True)
+        rgb = np.stack([(values >> shift) & 0xFF for shift in (16, 8, 0)], axis=1).astype(np.int32)
+        flat = counts >= max(FLAT * area, 16)
+        common = np.argsort(-counts, kind="stable")[:CANDIDATES]
+        for among, tolerance in ((flat, _FLAT_TOLERANCE), (~flat, _TOLERANCE)):
+            chosen = common[among[common]]
+            self._admit(rgb[chosen], counts[chosen], tolerance)
+        for start in range(0, len(values), CANDIDATES):
+            part = slice(start, start + CANDIDATES)
+            self._table[values[part]] = 1 + self._squares(rgb[part]).argmin(axis=1)
+
+    def _admit(
+        self,
+        rgb: NDArray[np.int32],
+        counts: NDArray[np.intp],
+        tolerance: tuple[tuple[int, int], ...],
+    ) -> None:
+        if len(rgb) == 0:
+            return
+        if self._used > 1:
+            far = self._squares(rgb).min(axis=1)
+        else:
+            far = np.full(len(rgb), 3 * 255**2)
+        for limit, distance in tolerance:
+            while self._used < limit:
+                best = int(np.argmax(np.where(far >= distance**2, far * counts, 0)))
+                if far[best] < distance**2:
+                    break
+                self._colours[self._used] = rgb[best]
+                self._used += 1
+                far = np.minimum(far, ((rgb - rgb[best]) ** 2).sum(axis=1))
+
+    def _squares(self, rgb: NDArray[np.int32]) -> NDArray[np.int32]:
+        """Squared distance of each colour to each entry in use, shape (colours, entries)."""
+        entries = self._colours[1 : self._used]
+        total = np.zeros((len(rgb), len(entries)), np.int32)
+        for channel in range(3):
+            total += (rgb[:, channel, None] - entries[None, :, channel]) ** 2
+        return total
