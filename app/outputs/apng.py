@@ -9,7 +9,7 @@ from app.outputs.changes import Box, changed, whole
 from app.outputs.png import SIGNATURE, chunk, header, scanlines
 
 LEVEL = 6
-"""Of deflate: only changed boxes are compressed, so a better level is affordable than for folders."""
+"""Of deflate: only changed boxes are compressed, so more effort is affordable than for folders."""
 
 LONGEST = 0xFFFF
 """Frames' durations that one picture may last: a delay is a fraction of two 16-bit numbers."""
@@ -39,7 +39,7 @@ class Apng:
             return
         self._write_waiting(frame.index)
         self._shown = frame.pixels
-        data = zlib.compress(scanlines(frame.pixels[box.slices]), LEVEL)
+        data = zlib.compress(scanlines(frame.pixels[box.slices]).data, LEVEL)
         self._waiting = (box, data, frame.index)
 
     def moment(self, moment: Moment) -> None:

@@ -26,7 +26,7 @@ class Encoder(Protocol):
 
 
 class Kept:
-    """A `Sink` that keeps its promise: at `close` the whole file stands there, or an OutputError says why not."""
+    """A `Sink` that keeps its promise: `close` leaves the whole file there, or says why not."""
 
     def __init__(
         self, path: str, film: Film, make: Callable[[Path, Film], Encoder], *, folder: bool = False

@@ -15,13 +15,12 @@ FLAT = 0.0002
 CANDIDATES = 4096
 """Colours compared at once; of more new ones in one frame, the commonest stand for entries."""
 
-_TOLERANCE = ((96, 6), (160, 10), (208, 20), (240, 40))
+_Steps = tuple[tuple[int, int], ...]
+
+_TOLERANCE: _Steps = ((96, 6), (160, 10), (208, 20), (240, 40))
 """(entries in use, distance): up to so many, a colour that far from all others gets its own."""
 
-_FLATCANDIDATES = 4096
-"""Colours compared at once; of more new ones in one frame, the commonest stand for entries."""
-
-_TOLERANCE = ((192, 1), (232, 6), (SIZE, 16))
+_FLAT_TOLERANCE: _Steps = ((192, 1), (232, 6), (SIZE, 16))
 """The same for areas: exact as long as there is plenty of room; the last entries are theirs."""
 
 
@@ -68,14 +67,11 @@ class Palette:
         self,
         rgb: NDArray[np.int32],
         counts: NDArray[np.intp],
-        tolerance: tuple[tuple[int, int], ...],
+        tolerance: _Steps,
     ) -> None:
         if len(rgb) == 0:
             return
-        if self._used > 1:
-            far = self._squares(rgb).min(axis=1)
-        else:
-            far = np.full(len(rgb), 3 * 255**2)
+        far = self._squares(rgb).min(axis=1, initial=3 * 255**2)
         for limit, distance in tolerance:
             while self._used < limit:
                 best = int(np.argmax(np.where(far >= distance**2, far * counts, 0)))

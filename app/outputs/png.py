@@ -1,4 +1,4 @@
-"""PNG: single pictures, and folders of numbered frames of which only the changed bands are compressed."""
+"""PNG: single pictures, and folders of frames of which only the changed bands are compressed."""
 
 import struct
 import zlib
@@ -90,8 +90,8 @@ class Pictures:
 def _deflated(band: Pixels) -> tuple[bytes, int, int]:
     lines = scanlines(band)
     deflate = zlib.compressobj(LEVEL, zlib.DEFLATED, -zlib.MAX_WBITS)
-    data = deflate.compress(lines) + deflate.flush(zlib.Z_SYNC_FLUSH)
-    return data, zlib.adler32(lines), lines.size
+    data = deflate.compress(lines.data) + deflate.flush(zlib.Z_SYNC_FLUSH)
+    return data, zlib.adler32(lines.data), lines.size
 
 
 def _adler(bands: list[tuple[bytes, int, int]]) -> int:

@@ -1,4 +1,4 @@
-"""A promised file: written beside its name, renamed when whole, so that nothing half done is seen."""
+"""A promised file: written beside its name, renamed when whole; nothing half done is seen."""
 
 import errno
 import os
@@ -73,9 +73,7 @@ def _check_target(path: str | os.PathLike[str], target: Path, folder: bool) -> N
                         path, f"the folder holds {entry!r}, which is not a frame; choose another"
                     )
     elif target.is_dir():
-        raise OutputError(
-            path, "it is a folder; a folder of frames is asked for with a '/' after it"
-        )
+        raise OutputError(path, "it is a folder; for a folder of frames put a '/' after it")
     elif target.exists() and not target.is_file():
         raise OutputError(path, "it is not a regular file")
 
@@ -104,7 +102,7 @@ class Promise:
                 raise
 
     def keep(self) -> None:
-        """Give it its name, in place of what stood there. Raises OutputError; then nothing is kept."""
+        """Give it its name, in place of what stood there. OutputError: nothing of it is kept."""
         try:
             with explained(self.path):
                 _check_target(self.path, self._target, self._folder)

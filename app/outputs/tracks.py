@@ -7,11 +7,11 @@ from app.frames import Film, Frame, Moment
 from engine import World
 
 HEADER = ("t", "body", "x", "y", "angle", "vx", "vy", "omega", "fx", "fy", "torque")
-"""s, name, m, m, rad, m/s, m/s, rad/s, N, N, N m; force and torque acted during the tick that ended at t."""
+"""s, name, m, m, rad, m/s, m/s, rad/s, N, N, N m; forces acted during the tick that ended at t."""
 
 
 class Tracks:
-    """Writes `.csv`: from t = 0, in order of time, then of bodies. Pictures are not its business."""
+    """Writes `.csv`, in order of time, then of bodies. Pictures are not its business."""
 
     def __init__(self, part: Path, film: Film) -> None:
         self._file = part.open("w", encoding="utf-8", newline="")

@@ -16,7 +16,7 @@ from app.outputs.changes import Box, changed, whole
 from app.outputs.promise import OutputError
 
 METHOD = 1
-"""Effort of the encoder. 0 makes files 2.6 times as large and is no faster; 2 takes 1.6 times as long."""
+"""Effort of the encoder: 0 makes files 2.6 times as large, 2 takes 1.6 times as long."""
 
 LARGEST = 16383
 """Pixels a side that the bitstream can hold."""
