@@ -1,0 +1,216 @@
+"""A window on the world: bodies, vectors and labels, given in metres, drawn in dp."""
+
+import math
+from collections.abc import Sequence
+
+from engine import Body, Circle, Particle, Polygon, Wall
+from screens.kit import arrows, theme
+from screens.kit.arrows import Kind
+from screens.kit.geometry import Point, Rect, Size
+from screens.kit.labels import Labels
+from screens.kit.numbers import quantity
+from screens.kit.view import Room, View
+from screens.kit.surface import Surface
+from screens.kit.theme import Color
+
+SPIN_MARK = 0.5
+"""Where the mark of a spinning circle starts, in radii from its centre."""
+PILL_PADDING = Size(10, 4)
+BORDER = 1.0
+SCALE_BAR = Point(12, 10)
+"""Distance of the scale bar from the left and the lower side."""
+ROUND_LENGTHS = (1, 2, 5)
+
+
+class Canvas:
+    """Draws a `room` of the world into `rect` of a surface; nothing leaves the rectangle.
+
+    What is drawn blocks its place for labels: draw bodies and arrows first, then labels.
+    """
+
+    def __init__(self, surface: Surface, rect: Rect, room: Room) -> None:
+        """Look at `room` (m) through `rect` (dp)."""
+        self.surface = surface
+        self.rect = rect
+        self.view = View(rect, room)
+        self.labels = Labels(rect.inset(GAP_TO_BORDER))
+
+    def background(self, grid: float = 0.5, bar: bool = True) -> None:
+        """The empty canvas: a grid whose cells are `grid` metres, a border, a scale bar."""
+        surface, rect = self.surface, self.rect
+        surface.rect(rect, theme.CANVAS, radius=theme.RADIUS)
+        with surface.clip(rect.inset(BORDER)):
+            self._grid(grid)
+        surface.rect(
+            rect,
+            None,
+            radius=theme.RADIUS,
+            outline=theme.HAIRLINE,
+            outline_width=self._whole(BORDER),
+        )
+        if bar:
+            self.scale_bar()
+
+    def scale_bar(self) -> None:
+        """A bar of a round length, labelled, in the lower left corner."""
+        surface, rect = self.surface, self.rect
+        length = _round_length(0.22 * rect.width / self.view.scale)
+        line = self._whole(1.0)
+        left = surface.snap(rect.x + SCALE_BAR.x)
+        right = surface.snap(left + length * self.view.scale)
+        bottom = surface.snap(rect.bottom - SCALE_BAR.y)
+        for bar in (
+            Rect(left, bottom - line, right - left, line),
+            Rect(left, bottom - 4, line, 4),
+            Rect(right - line, bottom - 4, line, 4),
+        ):
+            surface.rect(bar, theme.OUTLINE)
+        words = quantity(length * 100, "cm") if length < 1 else quantity(length, "m")
+        middle = ((left + right) / 2, bottom - 6)
+        surface.text(
+            words, middle, theme.SMALL, theme.TEXT_MEDIUM, align="center", valign="baseline"
+        )
+
+    def bar_room(self) -> Rect:
+        """Where the scale bar stands."""
+        width = 0.22 * self.rect.width + 4
+        return Rect(self.rect.x + 8, self.rect.bottom - 28, width, 24)
+
+    def body(self, body: Body, color: Color, opacity: float = 1, letter: str = "") -> None:
+        """A body, pale by `opacity` but with a full outline, and a letter on it.
+
+        A circle that can spin has a mark that turns with it.
+        """
+        shape = body.shape
+        if isinstance(shape, Wall):
+            self.wall(shape, color)
+            return
+        center = self.view.to_screen((body.x, body.y))
+        with self.surface.clip(self.rect):
+            if isinstance(shape, Polygon):
+                self._polygon(
+                    [self.view.to_screen(v) for v in body.vertices], color, opacity
+                )
+            else:
+                self._disc(center, shape, body.angle, color, opacity)
+            ink = letter_color(color, opacity)
+            self.surface.letter(letter, center, theme.LETTER, ink)
+
+    def wall(self, wall: Wall, color: Color = theme.WALL) -> None:
+        """A wall, as a thick line with round ends."""
+        a = self.view.to_screen(wall.start)
+        b = self.view.to_screen(wall.end)
+        with self.surface.clip(self.rect):
+            self.surface.capsule(a, b, theme.WALL_WIDTH, color)
+        self.labels.block_line(a, b, theme.WALL_WIDTH)
+
+    def arrow(
+        self, at: tuple[float, float], reach: tuple[float, float], kind: Kind, alpha: float = 1
+    ) -> Point:
+        """A vector whose tail is at a place of the world (m); `reach` is its length (dp, +y up).
+
+        Returns where its tip lies (dp).
+        """
+        tail = self.view.to_screen(at)
+        tip = Point(tail.x + reach[0], tail.y - reach[1])
+        with self.surface.clip(self.rect):
+            self.surface.arrow(
+                tail, tip, kind.color, width=theme.ARROW_WIDTH, head=kind.head, alpha=alpha
+            )
+        self.labels.block_line(tail, tip, arrows.HEAD_WIDTH * theme.ARROW_WIDTH)
+        return tip
+
+    def edge(self, body: Body, toward: tuple[float, float]) -> tuple[float, float]:
+        """Where the outline of a body (m) is met on the way from its centre along `toward`."""
+        center, way = Point(body.x, body.y), Point(*toward)
+        if isinstance(body.shape, Polygon):
+            return arrows.leave_polygon(center, [Point(v.x, v.y) for v in body.vertices], way)
+        if isinstance(body.shape, Circle | Particle):
+            return arrows.leave_circle(center, body.shape.radius, way)
+        return center
+
+    def trail(
+        self, points: Sequence[tuple[float, float]], color: Color = theme.TEAL, radius: float = 1.75
+    ) -> None:
+        """Places a body was at (m), oldest first, as dots that fade with age."""
+        with self.surface.clip(self.rect):
+            for i, (x, y) in enumerate(points):
+                alpha = 0.1 + 0.6 * (i + 1) / len(points)
+                self.surface.circle(self.view.to_screen((x, y)), radius, color, alpha)
+
+    def pill_size(self, words: str) -> Size:
+        """The size of a pill with these words."""
+        room = self.surface.measure(words, theme.VECTOR)
+        return Size(room.width + 2 * PILL_PADDING.width, room.height + 2 * PILL_PADDING.height)
+
+    def pill(self, words: str, rect: Rect, color: Color, alpha: float = 1) -> None:
+        """Words on a dark rounded ground that fills `rect`."""
+        self.surface.rect(rect, theme.PILL, 0.92 * alpha, radius=rect.height / 2)
+        self.surface.text(
+            words, rect.center, theme.VECTOR, color, alpha, align="center", valign="middle"
+        )
+
+    def label(
+        self,
+        words: str,
+        anchor: Point,
+        color: Color,
+        alpha: float = 1,
+        gap: float = 6,
+        prefer: Rect | None = None,
+    ) -> Rect | None:
+        """A pill at a free place near `anchor` (dp); None, and nothing drawn, if there is none."""
+        place = self.labels.place(self.pill_size(words), anchor, gap, prefer)
+        if place is not None:
+            self.pill(words, place, color, alpha)
+        return place
+
+    def _disc(
+        self, center: Point, shape: Circle | Particle, angle: float, color: Color, opacity: float
+    ) -> None:
+        radius = shape.radius * self.view.scale
+        self.surface.circle(center, radius, color, opacity, outline=color)
+        if isinstance(shape, Circle):
+            x, y = math.cos(angle) * radius, -math.sin(angle) * radius
+            near = Point(center.x + SPIN_MARK * x, center.y + SPIN_MARK * y)
+            far = Point(center.x + 0.92 * x, center.y + 0.92 * y)
+            self.surface.capsule(near, far, theme.OUTLINE_WIDTH, color)
+        self.labels.block_circle(center, radius)
+
+    def _polygon(self, corners: list[Point], color: Color, opacity: float) -> None:
+        self.surface.polygon(corners, color, opacity, outline=color)
+        xs, ys = [p.x for p in corners], [p.y for p in corners]
+        self.labels.block(Rect(min(xs), min(ys), max(xs) - min(xs), max(ys) - min(ys)))
+
+    def _grid(self, cell: float) -> None:
+        """Hairlines on whole pixels at every multiple of `cell` metres that can be seen."""
+        surface, rect, view = self.surface, self.rect, self.view
+        line = self._whole(1.0)
+        left, bottom = view.to_world(Point(rect.x, rect.bottom))
+        right, top = view.to_world(Point(rect.right, rect.y))
+        for i in range(math.ceil(left / cell), math.floor(right / cell) + 1):
+            x = surface.snap(view.to_screen((i * cell, 0)).x - line / 2)
+            surface.rect(Rect(x, rect.y, line, rect.height), theme.GRID)
+        for i in range(math.ceil(bottom / cell), math.floor(top / cell) + 1):
+            y = surface.snap(view.to_screen((0, i * cell)).y - line / 2)
+            surface.rect(Rect(rect.x, y, rect.width, line), theme.GRID)
+
+    def _whole(self, width: float) -> float:
+        """A line width (dp) of whole pixels, at least one."""
+        return max(1, round(width * self.surface.scale)) / self.surface.scale
+
+
+GAP_TO_BORDER = 4.0
+"""Labels keep this far from the border of the canvas (dp)."""
+
+
+def letter_color(color: Color, opacity: float) -> Color:
+    """Dark or light, whichever reads better on a body of this colour and opacity."""
+    ground = theme.luminance(theme.mix(color, opacity, theme.CANVAS))
+    return theme.SURFACE if ground > 0.16 else theme.TEXT
+
+
+def _round_length(most: float) -> float:
+    """The greatest of 1, 2, 5, 10, ... (and their tenths) that is at most `most` metres."""
+    power = 10.0 ** math.floor(math.log10(most))
+    return max(step * power for step in ROUND_LENGTHS if step * power <= most * (1 + 1e-12))

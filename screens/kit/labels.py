@@ -1,0 +1,110 @@
+"""Where a label may stand: near its anchor, inside the canvas, and over nothing that matters.
+
+Needs no pygame. All is in dp.
+"""
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from screens.kit.geometry import Point, Rect, Size
+
+RINGS = (0.0, 8.0, 18.0, 32.0, 50.0, 74.0)
+"""How far labels may move away from their anchor, nearest first."""
+TURNS = tuple(math.pi * turn / 12 for turn in (6, 4, 8, 2, 10, 0, 12, 14, 22, 16, 20, 18))
+"""Directions that are tried on each ring: upwards first, straight down last (rad)."""
+MARGIN = 2.0
+"""What is left free around a label."""
+
+
+class Labels:
+    """The free room of a canvas. What is drawn blocks its place, so does each label placed."""
+
+    def __init__(self, bounds: Rect) -> None:
+        """Start with nothing but the limits of the canvas."""
+        self.bounds = bounds
+        self._taken: list[tuple[float, float, float, float]] = []
+
+    def block(self, rect: Rect) -> None:
+        """Keep labels off a rectangle."""
+        self._taken.append((rect.x, rect.y, rect.right, rect.bottom))
+
+    def block_circle(self, center: Point, radius: float) -> None:
+        """Keep labels off a disc: of the square around it all but the corners."""
+        x, y = center
+        near, far = 0.5 * radius, 0.9 * radius
+        self._taken.append((x - near, y - radius, x + near, y + radius))
+        self._taken.append((x - far, y - far, x + far, y + far))
+        self._taken.append((x - radius, y - near, x + radius, y + near))
+
+    def block_line(self, a: Point, b: Point, width: float) -> None:
+        """Keep labels off a thick line, as a row of rectangles along it."""
+        dx, dy = b.x - a.x, b.y - a.y
+        longest = max(abs(dx), abs(dy))
+        if not longest < math.inf:
+            return
+        slanted = min(abs(dx), abs(dy)) > width
+        pieces = min(max(1, math.ceil(longest / 8)), 64) if slanted else 1
+        half = width / 2
+        for i in range(pieces):
+            x0, x1 = sorted((a.x + dx * i / pieces, a.x + dx * (i + 1) / pieces))
+            y0, y1 = sorted((a.y + dy * i / pieces, a.y + dy * (i + 1) / pieces))
+            self._taken.append((x0 - half, y0 - half, x1 + half, y1 + half))
+
+    def is_free(self, rect: Rect) -> bool:
+        """Whether a label may stand there."""
+        return bool(self._free(np.array([[rect.x, rect.y]]), Size(rect.width, rect.height))[0])
+
+    def place(
+        self, size: Size, anchor: Point, gap: float = 6, prefer: Rect | None = None
+    ) -> Rect | None:
+        """Find a free place for a label of `size` near `anchor`, `gap` dp from it, and block it.
+
+        `prefer` (where it stood before) is taken if it is still free. None: there is no free place.
+        """
+        found = prefer if prefer is not None and self.is_free(prefer) else None
+        if found is None:
+            spots = _spots(size, anchor, gap)
+            free = np.flatnonzero(self._free(spots, size))
+            if not free.size:
+                return None
+            x, y = spots[free[0]]
+            found = Rect(float(x), float(y), size.width, size.height)
+        self.block(found)
+        return found
+
+    def _free(self, corners: NDArray[Any], size: Size) -> NDArray[Any]:
+        """Which of the labels with these top left corners, shape (n, 2), cover nothing."""
+        left, top = corners[:, :1], corners[:, 1:]
+        right, bottom = left + size.width, top + size.height
+        bounds = self.bounds
+        inside = (
+            (left >= bounds.x)
+            & (top >= bounds.y)
+            & (right <= bounds.right)
+            & (bottom <= bounds.bottom)
+        )[:, 0]
+        if not self._taken:
+            return inside
+        taken = np.array(self._taken)
+        hit = (
+            (left - MARGIN < taken[:, 2])
+            & (right + MARGIN > taken[:, 0])
+            & (top - MARGIN < taken[:, 3])
+            & (bottom + MARGIN > taken[:, 1])
+        )
+        return inside & ~hit.any(axis=1)
+
+
+def _spots(size: Size, anchor: Point, gap: float) -> NDArray[Any]:
+    """Top left corners to try, shape (n, 2): the label touches an ellipse around the anchor."""
+    spots = []
+    for ring in RINGS:
+        for turn in TURNS:
+            away = gap + ring
+            x = anchor.x + math.cos(turn) * (away + size.width / 2) - size.width / 2
+            y = anchor.y - math.sin(turn) * (away + size.height / 2) - size.height / 2
+            spots.append((x, y))
+    return np.array(spots)

@@ -1,0 +1,305 @@
+"""Coverage masks of shapes, from their signed distance to the middle of each pixel.
+
+A pixel whose middle lies `d` pixels outside an edge is covered to `clip(0.5 - d, 0, 1)`. All is in
+pixels, y downwards; pixel (column, row) covers column..column + 1. Only additions, products, square
+roots and comparisons of single elements are used, which are the same on every processor.
+"""
+
+import math
+from typing import Any, NamedTuple, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from screens.kit import arrows
+from screens.kit.geometry import Point
+
+Grid = NDArray[Any]
+"""Coordinates or distances of pixels (px); a row (1, width), a column (height, 1) or both."""
+Coverage = NDArray[np.uint8]
+"""How much of each pixel is covered, 0..255; shape (height, width)."""
+
+HOLLOW_LINE = 0.4
+"""Line width of a hollow head, in widths of the shaft."""
+FAR = 4096.0
+"""Beyond this many pixels single precision is no longer fine enough."""
+
+
+class Box(NamedTuple):
+    """Whole pixels: left and top belong to it, right and bottom do not."""
+
+    left: int
+    top: int
+    right: int
+    bottom: int
+
+    @property
+    def area(self) -> int:
+        """How many pixels it has; 0 if it is turned inside out."""
+        return max(0, self.right - self.left) * max(0, self.bottom - self.top)
+
+    def meet(self, other: "Box") -> "Box":
+        """What both share."""
+        return Box(
+            max(self.left, other.left),
+            max(self.top, other.top),
+            min(self.right, other.right),
+            min(self.bottom, other.bottom),
+        )
+
+
+class Shape(Protocol):
+    """Something with an edge. Equal shapes give equal masks."""
+
+    def bounds(self) -> tuple[float, float, float, float]:
+        """Left, top, right and bottom of all that it covers."""
+
+    def moved(self, dx: float, dy: float) -> "Shape":
+        """The same shape elsewhere."""
+
+    def distance(self, x: Grid, y: Grid) -> Grid:
+        """Signed distance from its edge, negative inside; `x` is a row and `y` a column."""
+
+
+class Disc(NamedTuple):
+    """A filled circle."""
+
+    x: float
+    y: float
+    radius: float
+
+    def bounds(self) -> tuple[float, float, float, float]:
+        """See `Shape`."""
+        x, y, radius = self
+        return x - radius, y - radius, x + radius, y + radius
+
+    def moved(self, dx: float, dy: float) -> "Disc":
+        """See `Shape`."""
+        return Disc(self.x + dx, self.y + dy, self.radius)
+
+    def distance(self, x: Grid, y: Grid) -> Grid:
+        """See `Shape`."""
+        dx, dy = x - self.x, y - self.y
+        distance: Grid = np.sqrt(dx * dx + dy * dy) - self.radius
+        return distance
+
+
+class Slab(NamedTuple):
+    """An upright rectangle with rounded corners."""
+
+    left: float
+    top: float
+    right: float
+    bottom: float
+    radius: float
+
+    def bounds(self) -> tuple[float, float, float, float]:
+        """See `Shape`."""
+        return self[:4]
+
+    def moved(self, dx: float, dy: float) -> "Slab":
+        """See `Shape`."""
+        left, top, right, bottom, radius = self
+        return Slab(left + dx, top + dy, right + dx, bottom + dy, radius)
+
+    def distance(self, x: Grid, y: Grid) -> Grid:
+        """See `Shape`."""
+        left, top, right, bottom, radius = self
+        dx = np.abs(x - (left + right) / 2) - ((right - left) / 2 - radius)
+        dy = np.abs(y - (top + bottom) / 2) - ((bottom - top) / 2 - radius)
+        inside = np.minimum(np.maximum(dx, dy), 0)
+        dx, dy = np.maximum(dx, 0), np.maximum(dy, 0)
+        distance: Grid = np.sqrt(dx * dx + dy * dy) + inside - radius
+        return distance
+
+
+class Hull(NamedTuple):
+    """A convex polygon."""
+
+    corners: tuple[Point, ...]
+
+    def bounds(self) -> tuple[float, float, float, float]:
+        """See `Shape`."""
+        xs, ys = [p.x for p in self.corners], [p.y for p in self.corners]
+        return min(xs), min(ys), max(xs), max(ys)
+
+    def moved(self, dx: float, dy: float) -> "Hull":
+        """See `Shape`."""
+        return Hull(tuple(Point(p.x + dx, p.y + dy) for p in self.corners))
+
+    def distance(self, x: Grid, y: Grid) -> Grid:
+        """See `Shape`; beyond a corner it is the distance from the nearer side's line."""
+        corners = self.corners
+        area = sum(
+            corners[i - 1].x * corners[i].y - corners[i].x * corners[i - 1].y
+            for i in range(len(corners))
+        )
+        turn = 1.0 if area > 0 else -1.0
+        farthest = np.full((y.size, x.size), -np.inf, x.dtype)
+        for i in range(len(corners)):
+            a, b = corners[i - 1], corners[i]
+            dx, dy = b.x - a.x, b.y - a.y
+            length = math.sqrt(dx * dx + dy * dy)
+            if length > 0:
+                nx, ny = turn * dy / length, -turn * dx / length
+                np.maximum(farthest, (x - a.x) * nx + (y - a.y) * ny, out=farthest)
+        return farthest
+
+
+class Bar(NamedTuple):
+    """A thick line with round ends."""
+
+    a: Point
+    b: Point
+    width: float
+
+    def bounds(self) -> tuple[float, float, float, float]:
+        """See `Shape`."""
+        a, b, half = self.a, self.b, self.width / 2
+        return (
+            min(a.x, b.x) - half,
+            min(a.y, b.y) - half,
+            max(a.x, b.x) + half,
+            max(a.y, b.y) + half,
+        )
+
+    def moved(self, dx: float, dy: float) -> "Bar":
+        """See `Shape`."""
+        a, b, width = self
+        return Bar(Point(a.x + dx, a.y + dy), Point(b.x + dx, b.y + dy), width)
+
+    def distance(self, x: Grid, y: Grid) -> Grid:
+        """See `Shape`."""
+        along, across, length = _along_and_across(self.a, self.b, x, y)
+        beyond = along - np.clip(along, 0, length)
+        distance: Grid = np.sqrt(across * across + beyond * beyond) - self.width / 2
+        return distance
+
+
+class Stroke(NamedTuple):
+    """A thick line with square ends, dashed if `on` and `off` are not 0."""
+
+    a: Point
+    b: Point
+    width: float
+    on: float = 0.0
+    off: float = 0.0
+
+    def bounds(self) -> tuple[float, float, float, float]:
+        """See `Shape`."""
+        return Bar(self.a, self.b, self.width).bounds()
+
+    def moved(self, dx: float, dy: float) -> "Stroke":
+        """See `Shape`."""
+        a, b, width, on, off = self
+        return Stroke(Point(a.x + dx, a.y + dy), Point(b.x + dx, b.y + dy), width, on, off)
+
+    def distance(self, x: Grid, y: Grid) -> Grid:
+        """See `Shape`."""
+        along, across, length = _along_and_across(self.a, self.b, x, y)
+        outside = np.maximum(np.abs(across) - self.width / 2, np.maximum(-along, along - length))
+        if self.on > 0 and self.off > 0:
+            period = self.on + self.off
+            phase = along - np.floor(along / period) * period
+            gap = np.minimum(np.abs(phase - self.on / 2) - self.on / 2, period - phase)
+            outside = np.maximum(outside, gap)
+        return outside
+
+
+class ArrowShape(NamedTuple):
+    """A shaft with a round tail, and a head that is solid or hollow."""
+
+    tail: Point
+    tip: Point
+    width: float
+    hollow: bool
+
+    def _parts(self) -> arrows.Arrow:
+        parts = arrows.shape(self.tail, self.tip, self.width)
+        if parts is None:
+            raise ValueError(f"an arrow needs a length, but starts and ends at {tuple(self.tail)}")
+        return parts
+
+    def bounds(self) -> tuple[float, float, float, float]:
+        """See `Shape`."""
+        parts = self._parts()
+        one = Hull((*parts.wings, parts.tip)).bounds()
+        two = Bar(parts.tail, parts.neck, parts.width).bounds()
+        return min(one[0], two[0]), min(one[1], two[1]), max(one[2], two[2]), max(one[3], two[3])
+
+    def moved(self, dx: float, dy: float) -> "ArrowShape":
+        """See `Shape`."""
+        tail, tip, width, hollow = self
+        return ArrowShape(
+            Point(tail.x + dx, tail.y + dy), Point(tip.x + dx, tip.y + dy), width, hollow
+        )
+
+    def distance(self, x: Grid, y: Grid) -> Grid:
+        """See `Shape`."""
+        parts = self._parts()
+        along, across, length = _along_and_across(parts.tail, parts.neck, x, y)
+        before = np.minimum(along, 0)
+        shaft = np.sqrt(across * across + before * before) - parts.width / 2
+        head = Hull((parts.wings[0], parts.tip, parts.wings[1])).distance(x, y)
+        if self.hollow:
+            line = max(1.0, HOLLOW_LINE * parts.width)
+            head = np.abs(head + line / 2) - line / 2
+            shaft = np.maximum(shaft, along - length - line / 2)
+        else:
+            shaft = np.maximum(shaft, along - length - parts.width / 2)
+        distance: Grid = np.minimum(shaft, head)
+        return distance
+
+
+def _along_and_across(a: Point, b: Point, x: Grid, y: Grid) -> tuple[Grid, Grid, float]:
+    """Coordinates of pixels along a line and across it, and the line's length."""
+    dx, dy = b.x - a.x, b.y - a.y
+    length = math.sqrt(dx * dx + dy * dy)
+    ux, uy = (dx / length, dy / length) if length > 0 else (1.0, 0.0)
+    x, y = x - a.x, y - a.y
+    return x * ux + y * uy, y * ux - x * uy, length
+
+
+class Look(NamedTuple):
+    """How strongly a shape's area and its rim (a line inside its edge) are painted."""
+
+    area: float = 1.0
+    """Opacity, 0..1."""
+    rim: float = 0.0
+    """Opacity, 0..1."""
+    rim_width: float = 0.0
+    """(px)"""
+    inset: float = 0.0
+    """How far the area ends inside the edge (px)."""
+
+
+FILLED = Look()
+
+
+def cover(shape: Shape, look: Look, box: Box) -> Coverage:
+    """How much `shape` covers each pixel of `box`."""
+    reach = max(abs(side) for side in shape.bounds())
+    kind = np.float64 if reach > FAR else np.float32
+    x = (np.arange(box.left, box.right, dtype=np.float64) + 0.5).astype(kind)[None, :]
+    y = (np.arange(box.top, box.bottom, dtype=np.float64) + 0.5).astype(kind)[:, None]
+    distance = shape.distance(x, y)
+    covered = np.clip(0.5 - look.inset - distance, 0, 1) * kind(look.area)
+    if look.rim > 0:
+        half = look.rim_width / 2
+        rim = np.clip(0.5 + half - np.abs(distance + half), 0, 1) * kind(look.rim)
+        covered = covered + rim - covered * rim
+    coverage: Coverage = (covered * 255 + 0.5).astype(np.uint8)
+    return coverage
+
+
+def bounding_box(shape: Shape) -> Box | None:
+    """The pixels a shape may touch; None for one without finite bounds."""
+    left, top, right, bottom = shape.bounds()
+    if not (-math.inf < left <= right < math.inf and -math.inf < top <= bottom < math.inf):
+        return None
+    return Box(
+        math.floor(left - 0.5),
+        math.floor(top - 0.5),
+        math.ceil(right + 0.5),
+        math.ceil(bottom + 0.5),
+    )

@@ -1,0 +1,409 @@
+"""A picture that is addressed in dp. Pixels exist only here and below."""
+
+from collections.abc import Callable, Hashable, Iterator, Sequence
+from contextlib import contextmanager
+from functools import partial
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from screens.kit import arrows
+from screens.kit.cache import Cache
+from screens.kit.geometry import Point, Rect, Size
+from screens.kit.raster import (
+    FILLED,
+    ArrowShape,
+    Bar,
+    Box,
+    Coverage,
+    Disc,
+    Hull,
+    Look,
+    Shape,
+    Slab,
+    Stroke,
+    bounding_box,
+    cover,
+)
+from screens.kit.scale import scale_of
+from screens.kit.sdl import pygame
+from screens.kit.text import ASCENT, CAP_HEIGHT, DESCENT, FINE, Type
+from screens.kit.theme import Color, Style
+
+Place = tuple[float, float]
+"""x and y (dp)."""
+Align = Literal["left", "center", "right"]
+Valign = Literal["top", "middle", "baseline"]
+
+LARGEST = 8192
+"""Of a picture's sides (px)."""
+SPRITES = 24 << 20
+"""Bytes that drawn shapes and words may take."""
+LAYERS = 2
+"""How many static pictures are kept."""
+
+
+class Surface:
+    """A picture of `width` x `height` pixels, drawn on in dp with anti-aliased edges.
+
+    Shapes are placed to fractions of a pixel, words to whole ones. Opacities (`alpha`) are 0..1.
+    What lies outside the picture or the current clip costs nothing.
+    """
+
+    def __init__(self, width: int, height: int, _like: "Surface | None" = None) -> None:
+        """Make a black picture.
+
+        Raises:
+            ValueError: for sides that are not 1..8192 pixels.
+        """
+        if not (1 <= width <= LARGEST and 1 <= height <= LARGEST):
+            raise ValueError(
+                f"a picture must have sides of 1 to {LARGEST} pixels, not {width} x {height}"
+            )
+        self.width = width
+        """(px)"""
+        self.height = height
+        """(px)"""
+        self.scale = scale_of(width, height)
+        """Pixels per dp."""
+        self.size = Size(width / self.scale, height / self.scale)
+        """(dp)"""
+        self.type: Type = _like.type if _like else Type(self.scale)
+        self._picture = pygame.Surface((width, height), 0, 32, (0xFF0000, 0xFF00, 0xFF, 0))
+        self._sprites: Cache[pygame.Surface] = _like._sprites if _like else Cache(SPRITES)
+        self._lines: Cache[list[str]] = _like._lines if _like else Cache(1 << 20)
+        self._layers: Cache[Surface] = Cache(LAYERS)
+
+    def pixels(self) -> NDArray[np.uint32]:
+        """A copy of the picture, shape (height, width), each 0x00RRGGBB, C-contiguous."""
+        view = pygame.surfarray.pixels2d(self._picture).T
+        copy: NDArray[np.uint32] = np.bitwise_and(view, np.uint32(0xFFFFFF), order="C")
+        return copy
+
+    def snap(self, value: float) -> float:
+        """The nearest whole pixel to a coordinate or a width (dp)."""
+        return round(value * self.scale) / self.scale
+
+    # -- areas --------------------------------------------------------------------------------
+
+    def fill(self, color: Color) -> None:
+        """Paint all of the picture (or of the clip)."""
+        self._picture.fill(color)
+
+    def scrim(self, alpha: float) -> None:
+        """Darken all of the picture (or of the clip)."""
+        shade = self._sprites.get(
+            ("scrim", self.width, _level(alpha)),
+            lambda: _sprite(np.full((64, self.width), 255, np.uint8), (0, 0, 0), _level(alpha)),
+            _bytes,
+        )
+        for top in range(0, self.height, 64):
+            self._picture.blit(shade, (0, top))
+
+    def rect(
+        self,
+        rect: Rect,
+        color: Color | None,
+        alpha: float = 1,
+        radius: float = 0,
+        outline: Color | None = None,
+        outline_width: float = 1,
+    ) -> None:
+        """An upright rectangle; the outline lies inside its edge."""
+        scale = self.scale
+        left, top = rect.x * scale, rect.y * scale
+        right, bottom = left + rect.width * scale, top + rect.height * scale
+        if not (left < right and top < bottom):
+            return
+        sharp = all(abs(side - round(side)) < 1e-3 for side in (left, top, right, bottom))
+        if sharp and color is not None and alpha >= 1 and not radius and outline is None:
+            box = Box(round(left), round(top), round(right), round(bottom)).meet(self._clip_box())
+            if box.area:
+                self._picture.fill(color, (box.left, box.top, *_extent(box)))
+            return
+        corner = min(radius * scale, (right - left) / 2, (bottom - top) / 2)
+        self._shape(
+            Slab(left, top, right, bottom, corner), color, alpha, outline, outline_width, 1.0
+        )
+
+    def circle(
+        self,
+        center: Place,
+        radius: float,
+        color: Color | None,
+        alpha: float = 1,
+        outline: Color | None = None,
+        outline_width: float = 1.5,
+        outline_alpha: float = 1,
+    ) -> None:
+        """A disc; the outline lies inside its edge."""
+        scale = self.scale
+        if radius > 0:
+            disc = Disc(center[0] * scale, center[1] * scale, radius * scale)
+            self._shape(disc, color, alpha, outline, outline_width, outline_alpha)
+
+    def polygon(
+        self,
+        points: Sequence[Place],
+        color: Color | None,
+        alpha: float = 1,
+        outline: Color | None = None,
+        outline_width: float = 1.5,
+    ) -> None:
+        """A convex polygon, its corners in either order; the outline lies inside its edge."""
+        scale = self.scale
+        hull = Hull(tuple(Point(x * scale, y * scale) for x, y in points))
+        if len(hull.corners) >= 3:
+            self._shape(hull, color, alpha, outline, outline_width, 1.0)
+
+    # -- lines --------------------------------------------------------------------------------
+
+    def capsule(self, a: Place, b: Place, width: float, color: Color, alpha: float = 1) -> None:
+        """A thick line with round ends."""
+        thick, alpha = self._thickness(width, alpha)
+        self._paint(Bar(self._point(a), self._point(b), thick), FILLED, color, alpha)
+
+    def line(
+        self,
+        a: Place,
+        b: Place,
+        width: float,
+        color: Color,
+        alpha: float = 1,
+        dash: tuple[float, float] | None = None,
+    ) -> None:
+        """A line with square ends; `dash` gives the lengths of dashes and gaps (dp)."""
+        thick, alpha = self._thickness(width, alpha)
+        on, off = (dash[0] * self.scale, dash[1] * self.scale) if dash else (0.0, 0.0)
+        stroke = Stroke(self._point(a), self._point(b), thick, on, off)
+        self._paint(stroke, FILLED, color, alpha)
+
+    def arrow(
+        self,
+        tail: Place,
+        tip: Place,
+        color: Color,
+        width: float = 4,
+        head: arrows.Head = "solid",
+        alpha: float = 1,
+    ) -> None:
+        """An arrow; one that is too short for its head is drawn smaller, one without length not."""
+        start, end = self._point(tail), self._point(tip)
+        if arrows.shape(start, end, width * self.scale) is not None:
+            shape = ArrowShape(start, end, width * self.scale, head == "hollow")
+            self._paint(shape, FILLED, color, alpha)
+
+    # -- words --------------------------------------------------------------------------------
+
+    def measure(
+        self, words: str, style: Style, width: float | None = None, lines: int | None = None
+    ) -> Size:
+        """The size of what `text` draws with the same arguments (dp)."""
+        broken = self._break(words, style, width, lines)
+        widest = max(self.type.width(line, style) for line in broken)
+        return Size(widest / self.scale, len(broken) * style.line_height)
+
+    def text(
+        self,
+        words: str,
+        at: Place,
+        style: Style,
+        color: Color,
+        alpha: float = 1,
+        align: Align = "left",
+        valign: Valign = "top",
+        width: float | None = None,
+        lines: int | None = None,
+    ) -> Rect:
+        """Words, broken into lines of at most `width` dp; returns the room they take.
+
+        `valign`: `at.y` is the top of the first line, the middle of the capitals (of all lines
+        together), or the first baseline. What needs more than `lines` lines ends with an ellipsis.
+        """
+        scale = self.scale
+        broken = self._break(words, style, width, lines)
+        em = self.type.pixels(style)
+        leading = style.line_height * scale
+        above = (leading - (ASCENT + DESCENT) * em) / 2 + ASCENT * em
+        baseline = at[1] * scale
+        if valign == "top":
+            baseline += above
+        elif valign == "middle":
+            baseline += (CAP_HEIGHT * em - (len(broken) - 1) * leading) / 2
+        widest = 0
+        for row, line in enumerate(broken):
+            wide = self.type.width(line, style)
+            widest = max(widest, wide)
+            left = round(at[0] * scale - _share(align) * wide)
+            self._line(line, left, round(baseline + row * leading), style, color, alpha)
+        x = at[0] - _share(align) * widest / scale
+        return Rect(x, (baseline - above) / scale, widest / scale, len(broken) * style.line_height)
+
+    def letter(
+        self, words: str, center: Place, style: Style, color: Color, alpha: float = 1
+    ) -> None:
+        """A short word about a point that moves: placed to an eighth of a pixel."""
+        if not words:
+            return
+        x, y = center[0] * self.scale, center[1] * self.scale
+        if not (-LARGEST < x < 2 * LARGEST and -LARGEST < y < 2 * LARGEST):
+            return
+        em = self.type.pixels(style)
+        wide = self.type.fine_width(words, style)
+        left, baseline = x - wide / 2, y + CAP_HEIGHT * em / 2
+        column, row = int(left // 1), int(baseline // 1)
+        right, down = int((left - column) * FINE), int((baseline - row) * FINE)
+        key = ("letter", words, style.weight, em, right, down, color, _level(alpha))
+
+        def make() -> pygame.Surface:
+            mask = self.type.floating(words, style, right, down)
+            return _sprite(mask, color, _level(alpha))
+
+        sprite = self._sprites.get(key, make, _bytes)
+        rise = self.type.rise(style)
+        self._picture.blit(sprite, (column, row - rise))
+
+    # -- the whole ----------------------------------------------------------------------------
+
+    @contextmanager
+    def clip(self, rect: Rect) -> Iterator[None]:
+        """Paint only inside `rect` (rounded to whole pixels), and inside the clip around it."""
+        before = self._picture.get_clip()
+        scale = self.scale
+        left, top = round(rect.x * scale), round(rect.y * scale)
+        right, bottom = round(rect.right * scale), round(rect.bottom * scale)
+        box = Box(left, top, right, bottom).meet(self._clip_box())
+        self._picture.set_clip((box.left, box.top, *_extent(box)))
+        try:
+            yield
+        finally:
+            self._picture.set_clip(before)
+
+    def static(self, key: Hashable, paint: Callable[["Surface"], None]) -> None:
+        """Show the whole picture that `paint` paints, which is called once per `key`.
+
+        `key` must tell apart all that the picture depends on. The picture starts black and opaque.
+        """
+
+        def make() -> Surface:
+            layer = Surface(self.width, self.height, _like=self)
+            paint(layer)
+            return layer
+
+        layer = self._layers.get(key, make, lambda _: 1)
+        self._picture.blit(layer._picture, (0, 0))
+
+    # -- below: pixels ------------------------------------------------------------------------
+
+    def _point(self, at: Place) -> Point:
+        return Point(at[0] * self.scale, at[1] * self.scale)
+
+    def _thickness(self, width: float, alpha: float) -> tuple[float, float]:
+        """A line thinner than a pixel is drawn a pixel wide, but paler."""
+        pixels = width * self.scale
+        return (pixels, alpha) if pixels >= 1 else (1.0, alpha * pixels)
+
+    def _clip_box(self) -> Box:
+        left, top, width, height = self._picture.get_clip()
+        return Box(left, top, left + width, top + height)
+
+    def _break(self, words: str, style: Style, width: float | None, lines: int | None) -> list[str]:
+        pixels = None if width is None else width * self.scale
+        return self._lines.get(
+            (words, style, pixels, lines),
+            lambda: self.type.lines(words, style, pixels, lines),
+            lambda broken: 100 + sum(len(line) for line in broken) + len(words),
+        )
+
+    def _line(
+        self, line: str, left: int, baseline: int, style: Style, color: Color, alpha: float
+    ) -> None:
+        if not line or alpha <= 0:
+            return
+        em = self.type.pixels(style)
+        sprite = self._sprites.get(
+            ("line", line, style.weight, em, color, _level(alpha)),
+            lambda: _sprite(self.type.line(line, style), color, _level(alpha)),
+            _bytes,
+        )
+        rise = self.type.font(style.weight, em).get_ascent()
+        self._picture.blit(sprite, (left, baseline - rise))
+
+    def _shape(
+        self,
+        shape: Shape,
+        color: Color | None,
+        alpha: float,
+        outline: Color | None,
+        outline_width: float,
+        outline_alpha: float,
+    ) -> None:
+        """An area and its rim: in one go if they have one colour."""
+        line, outline_alpha = self._thickness(outline_width, outline_alpha)
+        if outline is None:
+            if color is not None:
+                self._paint(shape, FILLED, color, alpha)
+        elif color is None or color == outline:
+            area = alpha if color is not None else 0.0
+            self._paint(shape, Look(area, outline_alpha, line), outline, 1)
+        else:
+            self._paint(shape, Look(inset=line / 2), color, alpha)
+            self._paint(shape, Look(0, 1, line), outline, outline_alpha)
+
+    def _paint(self, shape: Shape, look: Look, color: Color, alpha: float) -> None:
+        box = bounding_box(shape)
+        level = _level(alpha)
+        if box is None or not level:
+            return
+        seen = box.meet(self._clip_box())
+        if not seen.area:
+            return
+        if box.area > self.width * self.height:
+            sprite = _sprite(cover(shape, look, seen), color, level)
+            self._picture.blit(sprite, (seen.left, seen.top))
+            return
+        home = shape.moved(-box.left, -box.top)
+        extent = Box(0, 0, *_extent(box))
+        sprite = self._sprites.get(
+            (type(home), home, look, color, level),
+            partial(_make, home, look, extent, color, level),
+            _bytes,
+        )
+        self._picture.blit(sprite, (box.left, box.top))
+
+
+def _level(alpha: float) -> int:
+    """Opacity in 0..256."""
+    return round(min(max(alpha, 0.0), 1.0) * 256)
+
+
+def _share(align: Align) -> float:
+    """How much of a line lies to the left of its place."""
+    return {"left": 0.0, "center": 0.5, "right": 1.0}[align]
+
+
+def _extent(box: Box) -> tuple[int, int]:
+    """Width and height of a box, never negative."""
+    return max(0, box.right - box.left), max(0, box.bottom - box.top)
+
+
+def _bytes(sprite: pygame.Surface) -> int:
+    return 4 * sprite.get_width() * sprite.get_height() + 500
+
+
+def _make(shape: Shape, look: Look, box: Box, color: Color, level: int) -> pygame.Surface:
+    return _sprite(cover(shape, look, box), color, level)
+
+
+def _sprite(coverage: Coverage, color: Color, level: int) -> pygame.Surface:
+    """A picture of one colour whose opacity is the coverage, times `level` / 256."""
+    opacity = coverage.astype(np.uint32)
+    if level < 256:
+        opacity *= np.uint32(level)
+        opacity += np.uint32(128)
+        opacity >>= np.uint32(8)
+    opacity <<= np.uint32(24)
+    opacity |= np.uint32(color[0] << 16 | color[1] << 8 | color[2])
+    height, width = coverage.shape
+    return pygame.image.frombuffer(opacity.data, (width, height), "BGRA")

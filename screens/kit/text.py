@@ -1,0 +1,140 @@
+"""Words as coverage masks, set in the fonts that are shipped (Inter, with tabular figures)."""
+
+from importlib import resources
+
+import numpy as np
+
+from screens.kit.raster import Coverage
+from screens.kit.sdl import pygame
+from screens.kit.theme import MEDIUM, REGULAR, SEMIBOLD, Style
+
+FILES = {REGULAR: "Inter-Regular.ttf", MEDIUM: "Inter-Medium.ttf", SEMIBOLD: "Inter-SemiBold.ttf"}
+ASCENT, DESCENT, CAP_HEIGHT = 0.96875, 0.2412109375, 0.7275390625
+"""Of Inter, in em."""
+FINE = 8
+"""Floating letters are set this many times too large, to be placed to an eighth of a pixel."""
+LONGEST = 500
+"""A line is cut after this many characters: a picture of it would be wider than any screen."""
+ELLIPSIS = "\u2026"
+
+
+class Type:
+    """The fonts at one scale (pixels per dp).
+
+    Fonts come in whole pixels: a size between two is set in the smaller, so that words never need
+    more room than at the reference scale.
+    """
+
+    def __init__(self, scale: float) -> None:
+        """Open no font yet; each is opened when first used."""
+        pygame.font.init()
+        self.scale = scale
+        self._fonts: dict[tuple[int, int], pygame.font.Font] = {}
+
+    def pixels(self, style: Style) -> int:
+        """Height of the em (px)."""
+        return max(1, int(style.size * self.scale + 1e-6))
+
+    def font(self, weight: int, pixels: int) -> pygame.font.Font:
+        """The font of a weight whose em is `pixels` high."""
+        font = self._fonts.get((weight, pixels))
+        if font is None:
+            file = resources.files("assets") / "fonts" / FILES[weight]
+            with resources.as_file(file) as path:
+                font = pygame.font.Font(str(path), pixels)
+            self._fonts[weight, pixels] = font
+        return font
+
+    def width(self, words: str, style: Style) -> int:
+        """Width of a single line (px)."""
+        return self.font(style.weight, self.pixels(style)).size(words)[0]
+
+    def lines(
+        self, words: str, style: Style, width: float | None = None, most: int | None = None
+    ) -> list[str]:
+        """`words` broken into lines of at most `width` px.
+
+        A word that is too wide for a line is broken. Words that would need more than `most` lines
+        end with an ellipsis.
+        """
+        words = words.upper() if style.capitals else words
+        broken: list[str] = []
+        for paragraph in words.split("\n"):
+            clean = "".join(c if c.isprintable() or c == "\u2009" else " " for c in paragraph)
+            broken += self._wrap(clean, style, width) if width is not None else [clean[:LONGEST]]
+        if most is not None and len(broken) > most:
+            broken = broken[:most]
+            last = broken[-1]
+            while last and width is not None and self.width(last + ELLIPSIS, style) > width:
+                last = last[:-1].rstrip()
+            broken[-1] = last + ELLIPSIS
+        return broken
+
+    def _wrap(self, paragraph: str, style: Style, width: float) -> list[str]:
+        lines: list[str] = []
+        line = ""
+        for word in paragraph.split(" "):
+            longer = f"{line} {word}" if line else word
+            if self.width(longer, style) <= width:
+                line = longer
+                continue
+            if line:
+                lines.append(line)
+            while len(word) > 1 and self.width(word, style) > width:
+                fitting = self._fitting(word, style, width)
+                lines.append(word[:fitting])
+                word = word[fitting:]
+            line = word
+        return [*lines, line]
+
+    def _fitting(self, word: str, style: Style, width: float) -> int:
+        """How many of a word's characters fit into `width` px, at least one."""
+        low, high = 1, min(len(word), LONGEST)
+        while low < high:
+            middle = (low + high + 1) // 2
+            if self.width(word[:middle], style) <= width:
+                low = middle
+            else:
+                high = middle - 1
+        return low
+
+    def line(self, words: str, style: Style) -> Coverage:
+        """The mask of one line; its baseline is below the font's ascent."""
+        return _coverage(self.font(style.weight, self.pixels(style)), words)
+
+    def rise(self, style: Style) -> int:
+        """How many rows of a floating mask are above the baseline."""
+        return -(-self.font(style.weight, FINE * self.pixels(style)).get_ascent() // FINE)
+
+    def fine_width(self, words: str, style: Style) -> float:
+        """Width of a floating line (px), to an eighth."""
+        return self.font(style.weight, FINE * self.pixels(style)).size(words)[0] / FINE
+
+    def floating(self, words: str, style: Style, right: int, down: int) -> Coverage:
+        """The mask of a short line shifted by `right` and `down` eighths of a pixel."""
+        font = self.font(style.weight, FINE * self.pixels(style))
+        fine = _coverage(font, words)
+        rise = self.rise(style)
+        above = rise * FINE - font.get_ascent() + down
+        rows = -(-(above + fine.shape[0]) // FINE)
+        columns = -(-(right + fine.shape[1]) // FINE)
+        room = np.zeros((rows * FINE, columns * FINE), np.uint32)
+        room[above : above + fine.shape[0], right : right + fine.shape[1]] = fine
+        sums = room.reshape(rows, FINE, columns, FINE).sum(axis=(1, 3))
+        cells = FINE * FINE
+        mask: Coverage = ((sums + cells // 2) // cells).astype(np.uint8)
+        return mask
+
+    def missing(self, words: str) -> str:
+        """Those characters of `words` that the fonts cannot show, each once, in order."""
+        font = self.font(REGULAR, 16)
+        lacking = (c for c, got in zip(words, font.metrics(words), strict=True) if got is None)
+        return "".join(dict.fromkeys(lacking))
+
+
+def _coverage(font: pygame.font.Font, words: str) -> Coverage:
+    """The mask of a line; at least one pixel wide."""
+    if not words.strip():
+        return np.zeros((font.get_height(), max(1, font.size(words)[0])), np.uint8)
+    picture = font.render(words, True, (255, 255, 255))
+    return np.ascontiguousarray(pygame.surfarray.array_alpha(picture).T, np.uint8)

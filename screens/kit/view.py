@@ -1,0 +1,60 @@
+"""Rooms in metres, and where they lie on the screen."""
+
+from typing import NamedTuple
+
+from engine import Vector
+from screens.kit.geometry import Point, Rect
+
+
+class Room(NamedTuple):
+    """An upright rectangle of the world (m, +y up)."""
+
+    left: float
+    bottom: float
+    right: float
+    top: float
+
+    @property
+    def width(self) -> float:
+        """From left to right (m)."""
+        return self.right - self.left
+
+    @property
+    def height(self) -> float:
+        """From bottom to top (m)."""
+        return self.top - self.bottom
+
+
+class View(NamedTuple):
+    """A room seen through a rectangle of the screen: as large as fits, in the middle."""
+
+    rect: Rect
+    room: Room
+
+    @property
+    def scale(self) -> float:
+        """How long a metre is (dp)."""
+        return min(self.rect.width / self.room.width, self.rect.height / self.room.height)
+
+    @property
+    def frame(self) -> Rect:
+        """The part of the rectangle that shows the room (dp)."""
+        width, height = self.room.width * self.scale, self.room.height * self.scale
+        middle = self.rect.center
+        return Rect(middle.x - width / 2, middle.y - height / 2, width, height)
+
+    def to_screen(self, at: tuple[float, float]) -> Point:
+        """Where a place of the world (m) is on the screen (dp)."""
+        middle, scale, room = self.rect.center, self.scale, self.room
+        return Point(
+            middle.x + (at[0] - (room.left + room.right) / 2) * scale,
+            middle.y - (at[1] - (room.bottom + room.top) / 2) * scale,
+        )
+
+    def to_world(self, at: Point) -> Vector:
+        """Which place of the world (m) is seen at a point of the screen (dp)."""
+        middle, scale, room = self.rect.center, self.scale, self.room
+        return Vector(
+            (room.left + room.right) / 2 + (at.x - middle.x) / scale,
+            (room.bottom + room.top) / 2 - (at.y - middle.y) / scale,
+        )
