@@ -38,7 +38,6 @@ class Gif:
         self._stride = -(-film.fps // FASTEST)
         self._palette = Palette()
         self._seen: Pixels | None = None
-        self._shown = np.zeros((film.height, film.width), np.uint8)
         self._waiting: tuple[Box, bytes, int] | None = None
         """The last picture: its box, its compressed data, when it appears (hundredths)."""
         self._end = 0
@@ -52,20 +51,19 @@ class Gif:
         self._end = frame.index + 1
         if frame.index % self._stride:
             return
+        now = frame.pixels
         if self._seen is None:
-            box: Box | None = whole(frame.pixels)
+            box: Box | None = whole(now)
+            indices = self._palette(now)
         else:
-            box = changed(self._seen, frame.pixels)
-        self._seen = frame.pixels
-        if box is None:
-            return
-        indices = self._palette(frame.pixels[box.slices])
-        shown = self._shown[box.slices]
-        same = indices == shown
-        if same.all():
-            return  # the colours differ by less than the palette tells apart
-        np.copyto(shown, indices)
-        indices[same] = TRANSPARENT
+            box = changed(self._seen, now)
+            if box is None:
+                return
+            new = now[box.slices]
+            differs = new != self._seen[box.slices]
+            indices = np.full(new.shape, TRANSPARENT, np.uint8)
+            indices[differs] = self._palette(new[differs])
+        self._seen = now
         time = self._time(frame.index)
         self._write_waiting(time)
         self._waiting = (box, _compressed(indices), time)

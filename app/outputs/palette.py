@@ -3,14 +3,12 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from app.frames import Pixels
-
 SIZE = 256
 TRANSPARENT = 0
 """Index that shows no colour; in the lookup table it means "not looked up yet"."""
 
-FLAT = 0.0002
-"""Share of a picture from which a colour counts as an area, not as the soft edge of something."""
+FLAT = 64
+"""Pixels from which a colour counts as an area when it is met, not as a soft edge."""
 
 CANDIDATES = 4096
 """Colours compared at once; of more new ones in one frame, the commonest stand for entries."""
@@ -38,23 +36,25 @@ class Palette:
         # A page of it costs memory only when one of its colours is met.
         self._table = np.zeros(1 << 24, np.uint8)
 
-    def __call__(self, pixels: Pixels) -> NDArray[np.uint8]:
+    def __call__(self, pixels: NDArray[np.uint32]) -> NDArray[np.uint8]:
         """The index of the entry that stands for each pixel: exact, or the nearest there is."""
         indices = self._table.take(pixels, mode="clip")
-        if not indices.all():
-            self._learn(pixels[indices == TRANSPARENT], pixels.size)
-            indices = self._table.take(pixels, mode="clip")
+        unknown = indices == TRANSPARENT
+        if unknown.any():
+            met = pixels[unknown]
+            self._learn(met)
+            indices[unknown] = self._table.take(met)
         return indices
 
     def colours(self) -> bytes:
         """The table as a GIF stores it: red, green, blue for each of the 256 entries."""
         return self._colours.astype(np.uint8).tobytes()
 
-    def _learn(self, pixels: Pixels, area: int) -> None:
+    def _learn(self, pixels: NDArray[np.uint32]) -> None:
         """Give entries to the most telling of the new colours, then each colour its nearest."""
         values, counts = np.unique(pixels, return_counts=True)
         rgb = np.stack([(values >> shift) & 0xFF for shift in (16, 8, 0)], axis=1).astype(np.int32)
-        flat = counts >= max(FLAT * area, 16)
+        flat = counts >= FLAT
         common = np.argsort(-counts, kind="stable")[:CANDIDATES]
         for among, tolerance in ((flat, _FLAT_TOLERANCE), (~flat, _TOLERANCE)):
             chosen = common[among[common]]
