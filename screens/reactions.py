@@ -1,0 +1,241 @@
+"""Newton's third law."""
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from engine import Body, Collision, Force, Particle, Push, Vector, Wall, World
+from screens.kit import hits, probes
+from screens.kit.bodies import enclose
+from screens.kit.events import Event, Resize, Tap, Tick, Tilt
+from screens.kit.geometry import Point, Rect, Size
+from screens.kit.layout import GAP, TOUCH, Layout, layout, rows
+from screens.kit.view import Room, View
+from screens.kit.widgets import NAVIGATION, navigation, touched
+from screens.kit.words import Words
+from screens.lesson import Dice, Setting, Widget
+
+if TYPE_CHECKING:
+    from screens.kit.surface import Surface
+
+UPRIGHT, ACROSS = Room(-3.0, -3.25, 3.0, 3.25), Room(-3.75, -3.0, 3.75, 3.0)
+"""Rooms for upright and other screens (m); the origin is in the middle."""
+INNER = (
+    ((-0.80, 0.42), (-0.35, 0.58)),
+    ((0.35, 0.66), (0.80, 0.40)),
+    ((-0.70, -0.44), (-0.30, -0.62)),
+    ((0.45, -0.36), (0.45, -0.74)),
+)
+"""Inner walls, in halves of the room's width and height. They leave a straight way from wall to
+wall along both axes: |y| < 0.36 and -0.3 < x < 0.35."""
+LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
+"""Names of the balls as a pupil sees them; there are no more balls than letters."""
+LIGHTEST, HEAVIEST = 0.125, 16.0
+"""Range of the masses that can be tapped, in masses of the first ball."""
+NOTICE = 1.5
+"""How long a refused tap is explained (s of the world)."""
+
+
+class Reactions:
+    """The third law: when A pushes B, B pushes A just as hard, the opposite way."""
+
+    id = "reactions"
+    SETTINGS: Mapping[str, Setting] = {
+        "tilt.force": Setting(0.0, 50.0, 2.0, "N", "force on every ball at a tilt of 90°"),
+        "particle.radius": Setting(0.1, 0.5, 0.25, "m", "radius of a ball of particle.mass"),
+        "particle.mass": Setting(0.05, 50.0, 1.0, "kg", "mass of the first ball"),
+        "particle.restitution": Setting(0.0, 1.0, None, "", "speed kept in a hit, 0 to 1"),
+    }
+    PROBES = (
+        *probes.WORLD,
+        "particles.count",
+        *probes.names("particle.N"),
+        "tilt.x",
+        "tilt.y",
+        "force.x",
+        "force.y",
+        "ball.mass",
+    )
+    WIDGETS = ("canvas", "ball.lighter", "ball.heavier", "clear", *NAVIGATION)
+
+    def __init__(self, size: Size, dice: Dice, settings: Mapping[str, float], words: Words) -> None:
+        """The dice are rolled once for every ball, whatever the settings."""
+        self.size = size
+        self.words = words
+        self.dice = dice
+        self.room = UPRIGHT if size.height >= size.width else ACROSS
+        self.world = World(integrator="velocity-verlet")
+        known = {name: s.default for name, s in self.SETTINGS.items() if s.default is not None}
+        self.chosen = {**known, **settings}
+        enclose(self.world, self.room)
+        for number, ends in enumerate(INNER, start=1):
+            start, end = (self._in_room(end) for end in ends)
+            self.world.add(Wall(start, end), name=f"wall.{number}")
+        self.ball_mass = self.chosen["particle.mass"]
+        """Of the next ball (kg)."""
+        self.balls: list[Body] = []
+        self.pushes: list[Push] = []
+        self.tilt = Tilt(0.0, 0.0)
+        self.collisions: Sequence[Collision] = ()
+        self.collision_count = 0
+        self.hits: tuple[Collision, ...] = ()
+        self.last_hit: Collision | None = None
+        self.refusal: tuple[str, Point, float] | None = None
+        """Name of the sentence that explains why a tap gave no ball, the place, the time (s)."""
+
+    def update(self, event: Event) -> None:
+        """Take one event."""
+        match event:
+            case Resize(size=size):
+                self.size = size
+            case Tick(dt=dt):
+                self._advance(dt)
+            case Tilt():
+                self.tilt = event
+                self._push_all()
+            case Tap(at=at):
+                self._tap(touched(self.widgets(), at), at)
+            case _:
+                pass
+
+    def widgets(self) -> list[Widget]:
+        """The navigation, the canvas, the mass of the next ball, and the button that clears."""
+        area, words = layout(self.size), self.words
+        lighter, heavier, _, clear = controls(area)
+        least, most = (self.chosen["particle.mass"] * k for k in (LIGHTEST, HEAVIEST))
+        return [
+            *navigation(area, words),
+            Widget("canvas", self.view.frame, ""),
+            Widget("ball.lighter", lighter, words("reactions.lighter"), self.ball_mass > least),
+            Widget("ball.heavier", heavier, words("reactions.heavier"), self.ball_mass < most),
+            Widget("clear", clear, words("reactions.clear")),
+        ]
+
+    def probes(self) -> dict[str, float]:
+        """Those of the world and every ball.
+
+        Also `tilt.x`, `tilt.y`: roll and pitch in degrees; `force.x`, `force.y`: what the tilt
+        exerts on every ball (N); `ball.mass`: of the next ball (kg).
+        """
+        read = probes.of_world(self.world, self.collision_count)
+        read["particles.count"] = float(len(self.balls))
+        for number, ball in enumerate(self.balls, start=1):
+            read |= probes.of_body(f"particle.{number}", ball)
+        force = self.force
+        read |= {"tilt.x": self.tilt.roll, "tilt.y": self.tilt.pitch}
+        return read | {"force.x": force.x, "force.y": force.y, "ball.mass": self.ball_mass}
+
+    @property
+    def view(self) -> View:
+        """The room on the screen."""
+        return View(layout(self.size).canvas, self.room)
+
+    @property
+    def force(self) -> Vector:
+        """What the tilt exerts on every ball, heavy or light (N): roll to +x, pitch to -y."""
+        full = self.chosen["tilt.force"]
+        return Vector(
+            full * math.sin(math.radians(self.tilt.roll)) + 0.0,
+            -full * math.sin(math.radians(self.tilt.pitch)) + 0.0,
+        )
+
+    def radius(self, mass: float) -> float:
+        """Of a ball of some mass (m): all are of the same stuff, so it grows with the cube root."""
+        part = math.cbrt(mass / self.chosen["particle.mass"])
+        return self.chosen["particle.radius"] * part
+
+    def draw(self, surface: "Surface") -> None:
+        """Draw what is."""
+
+    def _advance(self, dt: float) -> None:
+        self.collisions = self.world.step(dt)
+        self.collision_count += len(self.collisions)
+        self.hits = hits.fresh((*self.hits, *self.collisions), self.world.time)
+        if self.hits:
+            self.last_hit = self.hits[-1]
+        if self.refusal and self.world.time - self.refusal[2] > NOTICE:
+            self.refusal = None
+
+    def _tap(self, id: str, at: Point) -> None:
+        match id:
+            case "canvas":
+                self._spawn(at)
+            case "ball.lighter":
+                self.ball_mass /= 2
+            case "ball.heavier":
+                self.ball_mass *= 2
+            case "clear":
+                self._clear()
+
+    def _spawn(self, at: Point) -> None:
+        """Add a ball at rest; beside the border it is moved inwards, elsewhere it needs room."""
+        radius = self.radius(self.ball_mass)
+        x, y = self.view.to_world(at)
+        room = self.room
+        place = Vector(
+            min(max(x, room.left + radius), room.right - radius),
+            min(max(y, room.bottom + radius), room.top - radius),
+        )
+        full = len(self.balls) == len(LETTERS)
+        if full or not self._is_free(place, radius):
+            self.refusal = ("full" if full else "occupied", at, self.world.time)
+            return
+        rolled = self.dice()
+        ball = self.world.add(
+            Particle(radius),
+            mass=self.ball_mass,
+            position=place,
+            restitution=self.chosen.get("particle.restitution", rolled),
+            name=f"particle.{len(self.balls) + 1}",
+        )
+        self.balls.append(ball)
+        self.refusal = None
+        self._push_all()
+
+    def _is_free(self, place: Vector, radius: float) -> bool:
+        """Whether a ball touches neither an inner wall nor another ball."""
+        gaps = [math.dist(place, b.position) - self.radius(b.mass) for b in self.balls]
+        for start, end in INNER:
+            gaps.append(_distance(place, self._in_room(start), self._in_room(end)))
+        return min(gaps) > radius
+
+    def _in_room(self, part: tuple[float, float]) -> Vector:
+        return Vector(part[0] * self.room.right, part[1] * self.room.top)
+
+    def _push_all(self) -> None:
+        """Exert the force of the tilt on every ball, instead of the one before."""
+        for push in self.pushes:
+            push.stop()
+        force = self.force
+        tilted = force != (0.0, 0.0)
+        self.pushes = [b.exert(Force(force.x, force.y)) for b in self.balls] if tilted else []
+
+    def _clear(self) -> None:
+        """Take all balls away; the count begins anew, the tilt and the next mass stay."""
+        for ball in self.balls:
+            self.world.remove(ball)
+        self.balls, self.pushes = [], []
+        self.hits, self.last_hit, self.refusal = (), None, None
+        self.collision_count = 0
+
+
+def controls(area: Layout) -> tuple[Rect, Rect, Rect, Rect]:
+    """Places of lighter, heavier, the mass between them, and clear (dp)."""
+    if area.portrait:
+        row = area.controls
+        stepper = Rect(row.x, row.y, row.width - 108, TOUCH)
+        clear = Rect(row.right - 96, row.y, 96.0, TOUCH)
+    else:
+        stepper, clear = rows(area.controls, 2, GAP)
+    lighter = Rect(stepper.x, stepper.y, TOUCH, TOUCH)
+    heavier = Rect(stepper.right - TOUCH, stepper.y, TOUCH, TOUCH)
+    between = Rect(lighter.right, stepper.y, heavier.x - lighter.right, TOUCH)
+    return lighter, heavier, between, clear
+
+
+def _distance(at: Vector, start: Vector, end: Vector) -> float:
+    """From a point to a line segment (m)."""
+    along = Vector(end.x - start.x, end.y - start.y)
+    part = (at.x - start.x) * along.x + (at.y - start.y) * along.y
+    part = min(max(part / (along.x * along.x + along.y * along.y), 0.0), 1.0)
+    return math.dist(at, (start.x + part * along.x, start.y + part * along.y))
