@@ -5,15 +5,19 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
+from math import inf
 
-from screens.lessons import LESSONS
-
+from app.scenario.kinds import Number
 from app.scenario.mistakes import Refused, quote, refuse, suggest
 from app.scenario.nodes import ScalarNode
 from screens.lesson import Setting
+from screens.lessons import LESSONS
 
 SCREENS: tuple[str, ...] = tuple(LESSONS)
 """The lessons' ids, in their order."""
+
+FIELD = ".field"
+"""What the id of a field has behind the name that a scenario gives it."""
 
 NAVIGATION = "nav."
 """How the ids of the widgets begin that lead to another screen."""
@@ -27,6 +31,8 @@ class Names:
     probes: tuple[str, ...]
     """With a literal N where a number from 1 stands."""
     settings: Mapping[str, Setting]
+    fields: Mapping[str, Number]
+    """What `fill` can type into; a field has the range of the settings that it stands for."""
 
     def has_probe(self, name: str) -> bool:
         """Whether there can be such a probe; whether it exists yet shows when it is read."""
@@ -39,12 +45,6 @@ class Names:
         kinds = {"widget": self.widgets, "probe": self.probes, "setting": tuple(self.settings)}
         return kinds[what]
 
-    @property
-    def fields(self) -> tuple[str, ...]:
-        """What `fill` can type into."""
-        end = ".field"
-        return tuple(name.removesuffix(end) for name in self.widgets if name.endswith(end))
-
 
 def numbered(pattern: str) -> str:
     """The regular expression for a probe's name with an N in it."""
@@ -55,7 +55,20 @@ def numbered(pattern: str) -> str:
 def of_screen(screen: str) -> Names:
     """The names of one screen."""
     lesson = LESSONS[screen]
-    return Names(tuple(lesson.WIDGETS), tuple(lesson.PROBES), dict(lesson.SETTINGS))
+    fields = [name.removesuffix(FIELD) for name in lesson.WIDGETS if name.endswith(FIELD)]
+    return Names(
+        widgets=tuple(lesson.WIDGETS),
+        probes=tuple(lesson.PROBES),
+        settings=dict(lesson.SETTINGS),
+        fields={field: _range(field, lesson.SETTINGS) for field in fields},
+    )
+
+
+def _range(field: str, settings: Mapping[str, Setting]) -> Number:
+    meant = [setting for name, setting in settings.items() if name.endswith(f".{field}")]
+    low = min((setting.low for setting in meant), default=-inf)
+    high = max((setting.high for setting in meant), default=inf)
+    return Number(low, high, unit=meant[0].unit if meant else "")
 
 
 @cache
@@ -63,9 +76,10 @@ def of_all() -> Names:
     """The names of all screens together."""
     each = [of_screen(screen) for screen in SCREENS]
     return Names(
-        tuple(dict.fromkeys(name for names in each for name in names.widgets)),
-        tuple(dict.fromkeys(name for names in each for name in names.probes)),
-        {name: setting for names in each for name, setting in names.settings.items()},
+        widgets=tuple(dict.fromkeys(name for names in each for name in names.widgets)),
+        probes=tuple(dict.fromkeys(name for names in each for name in names.probes)),
+        settings={name: setting for names in each for name, setting in names.settings.items()},
+        fields={name: field for names in each for name, field in names.fields.items()},
     )
 
 

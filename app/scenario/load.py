@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -178,7 +178,7 @@ def _names(root: Node) -> Names:
     if all(target in here for target in _tapped(root)):
         return own
     everything = of_all()
-    return Names(everything.widgets, everything.probes, own.settings)
+    return replace(everything, settings=own.settings)
 
 
 def _tapped(node: Node) -> Iterator[str]:

@@ -1,9 +1,10 @@
 """A scenario is tried on the real lesson, without time and without a picture.
 
 Taps, drags and typing are carried out, so that one which meets nothing is found before anything is
-drawn. Time stands still, so what only time can tell (a button that is disabled while a cart runs)
-is left to the run itself.
+drawn. Time stands still: what can be touched on a lesson depends on what was touched before.
 """
+
+from screens.lessons import Lessons
 
 from app.gestures import gesture
 from app.scenario.catalogue import of_screen
@@ -19,11 +20,9 @@ from app.scenario.model import (
     Tap,
     Tilt,
     Until,
-    Wait,
 )
 from app.targets import NoTarget
 from screens.kit import events
-from screens.lessons import Lessons
 
 OFTEN = 2
 """How often a repetition is tried at most: what goes wrong the second time goes wrong always."""
@@ -47,7 +46,6 @@ class _Rehearsal:
         self.mistakes: list[Mistake] = []
         self.sure = True
         """Until something could not be done; from then on only what is wrong anyway is told."""
-        self.time_passed = False
 
     def do(self, steps: tuple[Step, ...]) -> None:
         for step in steps:
@@ -65,7 +63,6 @@ class _Rehearsal:
                     self.look(step)
                 case _:
                     pass
-            self.time_passed |= isinstance(step, Wait | Until | Drag | Tilt)
 
     def touch(self, step: Tap | Drag | Fill) -> None:
         try:
@@ -73,8 +70,6 @@ class _Rehearsal:
                 for event in touch.events:
                     self.lessons.update(event)
         except NoTarget as gone:
-            if gone.reason == "disabled" and self.time_passed:
-                self.sure = False
             if self.sure or gone.reason == "outside":
                 self.note(step, "no-target", gone.sentence, gone.help)
             self.sure = False

@@ -6,12 +6,14 @@ from itertools import pairwise
 from math import inf
 from typing import Any
 
+from app.gestures import typed
 from app.scenario import model
 from app.scenario.catalogue import Names, numbered, unknown_name
 from app.scenario.kinds import Field, Kind, Number, Pair, Schema, Time, read_all, unknown, wrong
-from app.scenario.mistakes import Mistake, Refused, refuse
+from app.scenario.mistakes import Mistake, Refused, quote, refuse
 from app.scenario.nodes import ListNode, MapNode, Node, ScalarNode
 from app.targets import Target
+from screens.kit.entry import LONGEST
 
 ANY = Number(-inf, inf)
 ANGLES = Pair(Number(-90, 90, unit="degrees"), "a tilt [roll, pitch] in degrees")
@@ -80,8 +82,14 @@ class FillKind:
         for name, value in node.entries:
             try:
                 if name.text not in self.names.fields:
-                    raise unknown(name, "field", self.names.fields, "unknown-field")
-                values[name.text] = ANY.read(value, name.text)
+                    raise unknown(name, "field", tuple(self.names.fields), "unknown-field")
+                values[name.text] = self.names.fields[name.text].read(value, name.text)
+                if not fits(values[name.text]):
+                    raise refuse(
+                        value.place,
+                        "text-too-long",
+                        f"{quote(name.text)} has too many digits: a field holds {LONGEST}",
+                    )
             except Refused as refused:
                 mistakes.extend(refused.mistakes)
         if mistakes:
@@ -91,10 +99,16 @@ class FillKind:
     def schema(self) -> Schema:
         return {
             "type": "object",
-            "properties": {name: ANY.schema() for name in self.names.fields},
+            "properties": {name: kind.schema() for name, kind in self.names.fields.items()},
             "additionalProperties": False,
             "minProperties": 1,
         }
+
+
+def fits(value: float) -> bool:
+    """Whether a number can be typed into a field as it is."""
+    text = typed(value)
+    return len(text) <= LONGEST and float(text) == value
 
 
 @dataclass(frozen=True)
