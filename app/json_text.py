@@ -25,12 +25,12 @@ def dumps(value: Any) -> str:
 
 
 def document(parts: Mapping[str, Any]) -> Iterator[str]:
-    """A whole document, piece by piece: lists and iterators get one line for each entry."""
+    """A whole document, piece by piece: one line for each entry of a list or an iterator."""
     yield "{\n"
     for number, key in enumerate(sorted(parts)):
         yield ",\n" * (number > 0) + f"  {dumps(key)}: "
         value = parts[key]
-        if isinstance(value, (str, Mapping)) or not isinstance(value, Iterable):
+        if isinstance(value, (str, Mapping, tuple)) or not isinstance(value, Iterable):
             yield dumps(value)
         else:
             yield from _rows(value)

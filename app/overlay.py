@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 from screens.kit import theme
 from screens.kit.events import Drag, Event, Release, Tap
-from screens.kit.geometry import Point, Rect, Size
+from screens.kit.geometry import Point, Rect
+from screens.kit.layout import layout
 from screens.lesson import Lesson
 
 if TYPE_CHECKING:
@@ -25,11 +26,17 @@ TRAIL = 24
 FINGER = 9.0
 """Radius of the disc under a dragging finger (dp)."""
 
+SIZES = ((14.0, 19.0), (12.0, 16.0), (10.0, 13.0))
+"""Size and leading of captions (dp), the preferred ones first."""
+
 PADDING = 10.0
 """Between a caption's words and its edge (dp)."""
 
-CAPTION = theme.Style(14, theme.MEDIUM, 19)
-"""How captions are set."""
+EDGE = 4.0
+"""By how much a caption is wider on each side than the words it covers (dp)."""
+
+STYLES = tuple(theme.Style(size, theme.MEDIUM, leading) for size, leading in SIZES)
+"""How captions are set: the first one in which the words fit."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,7 +93,7 @@ class Overlay:
     def draw(self, surface: "Surface", lesson: Lesson, seconds: float) -> None:
         """Draw over a lesson that is drawn already; changes nothing."""
         if self.shows_captions and self.caption.strip():
-            draw_caption(surface, self.caption, caption_room(surface.size))
+            draw_caption(surface, self.caption)
         if self.shows_taps:
             self._draw_trail(surface, seconds)
             for ripple in self._ripples:
@@ -114,7 +121,7 @@ class Overlay:
         for before, after in pairwise(self._trail):
             rest = 1 - (seconds - after.seen) / FADE
             if rest > 0:
-                surface.capsule(before.at, after.at, 5 * rest, theme.TEXT, alpha=0.4 * rest)
+                surface.line(before.at, after.at, 4 * rest, theme.TEXT, alpha=0.45 * rest)
         if self._finger is not None:
             surface.circle(
                 self._finger,
@@ -127,19 +134,17 @@ class Overlay:
             )
 
 
-def caption_room(size: Size) -> Rect:
-    """Where a caption may be: over the words beside or above the canvas, never over the canvas."""
-    if size.height >= size.width:
-        return Rect(12, 12, size.width - 24, 128)
-    return Rect(12, 56, 188, 132)
-
-
-def draw_caption(surface: "Surface", words: str, room: Rect) -> None:
-    """Draw the words in a box at the lower edge of `room`, wrapped to its width."""
+def draw_caption(surface: "Surface", words: str) -> None:
+    """Draw the words in a box over the lesson's own words, never over its canvas."""
+    room = layout(surface.size).words.inset(-EDGE)
     width = room.width - 2 * PADDING
-    needed = surface.measure(words, CAPTION, width=width)
-    height = min(needed.height + 2 * PADDING, room.height)
+    for style in STYLES:
+        needed = surface.measure(words, style, width=width).height + 2 * PADDING
+        if needed <= room.height:
+            break
+    height = min(needed, room.height)
     box = Rect(room.x, room.bottom - height, room.width, height)
-    surface.rect(box, theme.DIALOG, radius=8, outline=theme.TEAL, outline_width=1)
+    surface.rect(box, theme.DIALOG, radius=theme.RADIUS, outline=theme.TEAL, outline_width=1)
     at = Point(box.x + PADDING, box.y + PADDING)
-    surface.text(words, at, CAPTION, theme.TEXT, width=width)
+    with surface.clip(box):
+        surface.text(words, at, style, theme.TEXT, width=width)

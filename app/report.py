@@ -14,6 +14,7 @@ from typing import Any
 from app.frames import Frame, Moment
 from app.player import Check
 from app.scenario.model import Caption, Expect, Marker, Scenario, Screenshot
+from app.session import Cue
 from engine import Collision
 
 FORMAT = 1
@@ -125,7 +126,13 @@ class Report:
             self._digests.append({"t": moment.time, "digest": moment.world.digest()})
         self._last = moment
 
-    def heed(self, cue: Caption | Marker | Screenshot, film: float, time: float) -> None:
+    def close(self) -> None:
+        """Nothing to finish: others write it."""
+
+    def abort(self) -> None:
+        """Nothing to drop."""
+
+    def heed(self, cue: Cue, film: float, time: float) -> None:
         """Note a cue, at film time `film` and at time `time` of the world (both s)."""
         when = {"film": film, "t": time}
         match cue:
@@ -135,6 +142,8 @@ class Report:
                 self._cues["markers"].append(when | {"name": name})
             case Screenshot(path=path):
                 self._cues["screenshots"].append(when | {"path": path})
+            case _:
+                pass
 
     def document(self, checks: Sequence[Check], outputs: Sequence[Output]) -> Mapping[str, Any]:
         """Everything, ready for `app.json_text.document`.
@@ -156,7 +165,7 @@ class Report:
             "seed": scenario.seed,
             "lang": scenario.lang,
             "set": dict(scenario.settings),
-            "size": list(scenario.size),
+            "size": scenario.size,
             "fps": scenario.fps,
             "frames": self.frames,
             "duration": duration,

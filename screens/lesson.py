@@ -43,12 +43,21 @@ class Widget:
 class Lesson(Protocol):
     """One of the three screens, or the host that navigates between them."""
 
-    id: str
-    size: Size
-    """Of the screen (dp)."""
-    world: World
-    collisions: Sequence[Collision]
-    """Those of the last tick, in order."""
+    @property
+    def id(self) -> str:
+        """Of the lesson: inertia, forces or reactions."""
+
+    @property
+    def size(self) -> Size:
+        """Of the screen (dp)."""
+
+    @property
+    def world(self) -> World:
+        """What moves now."""
+
+    @property
+    def collisions(self) -> Sequence[Collision]:
+        """Those of the last tick, in order."""
 
     def update(self, event: Event) -> None:
         """Take one event: the only door to state."""

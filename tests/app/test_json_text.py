@@ -18,7 +18,7 @@ def test_words_stay_readable():
 
 
 def test_a_document_streams_its_lists():
-    parts = {"rows": ({"n": n} for n in range(3)), "none": iter(()), "title": "t", "size": [1, 2]}
+    parts = {"rows": ({"n": n} for n in range(3)), "none": iter(()), "title": "t", "size": (1, 2)}
     pieces = list(document(parts))
     assert json.loads("".join(pieces)) == {
         "none": [],

@@ -1,0 +1,29 @@
+"""The command line `laws`: one file per command. Heavy imports wait until a command needs them."""
+
+import os
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # numpy's threads cost start-up, help nothing
+
+import sys
+import traceback
+
+from app.cli import program, streams
+from app.cli.stopping import Stopped, heed_signals
+
+
+def main() -> None:
+    """Run the command in `sys.argv` and exit with its code; no traceback without `--debug`."""
+    streams.prepare()
+    heed_signals()
+    debug = "--debug" in sys.argv
+    try:
+        program.laws()
+    except Stopped as stopped:
+        sys.exit(stopped.exit_code)
+    except Exception as error:  # noqa: BLE001 - the outermost door: a person gets one sentence
+        if debug:
+            traceback.print_exc()
+        else:
+            said = " ".join(str(error).split()) or type(error).__name__
+            streams.say(f"laws: something went wrong: {said}; run again with --debug for details")
+        sys.exit(1)

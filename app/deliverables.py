@@ -1,0 +1,133 @@
+"""All outputs of one run: begun together before the first frame, and each whole or not there."""
+
+import hashlib
+import os
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from types import TracebackType
+
+from app.frames import Film, Pixels, Sink
+from app.json_text import document
+from app.outputs import OutputError, Promise, explained, kind_of, open_sink
+from app.outputs.background import Background
+from app.outputs.png import write_png
+from app.outputs.promise import check_place
+from app.player import Check
+from app.report import Output, Report
+from app.watcher import Watcher
+
+REPORT = "json"
+DATA = ("csv", REPORT)
+"""Kinds that hold no pictures."""
+
+
+class NotBegun(Exception):
+    """An output cannot be begun, so nothing was drawn; the sentence says which and why."""
+
+
+class Deliverables:
+    """The outputs of one run; a context that puts away whatever was not finished."""
+
+    def __init__(self, paths: Sequence[str], pictures: Sequence[str], film: Film) -> None:
+        """Begin all of them; raises NotBegun, with nothing left behind, if one cannot be.
+
+        `pictures` are the paths of screenshots that will be taken.
+        """
+        self._film = film
+        self._films: dict[str, Sink] = {}
+        self._reports: dict[str, Promise] = {}
+        self._made: list[Output] = []
+        try:
+            for path in paths:
+                self._begin(path)
+            for path in pictures:
+                check_place(path)
+        except OutputError as error:
+            self._put_away()
+            raise NotBegun(str(error)) from error
+
+    @property
+    def sinks(self) -> Sequence[Sink]:
+        """Where frames and moments go."""
+        return tuple(self._films.values())
+
+    def __enter__(self) -> "Deliverables":
+        """Nothing is done yet."""
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        """Leave nothing that is not finished."""
+        self._put_away()
+
+    def picture(self, path: str, pixels: Pixels) -> None:
+        """Write a screenshot at once; raises OutputError."""
+        write_png(path, pixels)
+        self._made.append(Output(path, "png", os.path.getsize(path), _hash(Path(path))))
+
+    def finish(self, report: Report, checks: Sequence[Check], watcher: Watcher) -> list[Output]:
+        """Finish all of them, the reports last; raises OutputError if one cannot be finished."""
+        outputs = list(self._made)
+        for path in tuple(self._films):
+            watcher.finishing(path)
+            self._films[path].close()
+            del self._films[path]
+            outputs.append(described(path, report.frames, self._film.fps))
+            watcher.wrote(outputs[-1])
+        films = tuple(outputs)
+        for path, promise in self._reports.items():
+            rows = [replace(film, path=_seen_from(path, film.path)) for film in films]
+            with explained(path), promise.part.open("w", encoding="utf-8", newline="\n") as file:
+                file.writelines(document(report.document(checks, rows)))
+            promise.keep()
+            outputs.append(described(path, report.frames, self._film.fps))
+            watcher.wrote(outputs[-1])
+        return outputs
+
+    def _begin(self, path: str) -> None:
+        if kind_of(path) == REPORT:
+            self._reports[path] = Promise(path)
+        else:
+            sink = open_sink(path, self._film)
+            self._films[path] = sink if kind_of(path) in DATA else Background(sink)
+
+    def _put_away(self) -> None:
+        for sink in self._films.values():
+            sink.abort()
+        for promise in self._reports.values():
+            promise.drop()
+
+
+def described(path: str, frames: int, fps: int) -> Output:
+    """What an output turned out to be, read back from where it stands."""
+    kind = kind_of(path) or ""
+    files = sorted(Path(path).iterdir()) if os.path.isdir(path) else [Path(path)]
+    hashes = [_hash(file) for file in files]
+    lines = "".join(f"{f.name} {h}\n" for f, h in zip(files, hashes, strict=True))
+    folder = hashlib.sha256(lines.encode()).hexdigest()
+    return Output(
+        path=path,
+        kind=kind,
+        size=sum(file.stat().st_size for file in files),
+        sha256=folder if os.path.isdir(path) else hashes[0],
+        frames=None if kind in DATA else frames,
+        fps=fps,
+    )
+
+
+def _hash(file: Path) -> str:
+    """SHA-256 of a file, without holding it in memory."""
+    with file.open("rb") as stream:
+        return hashlib.file_digest(stream, "sha256").hexdigest()
+
+
+def _seen_from(report: str, path: str) -> str:
+    """A path as the report names it: from the report's own folder, so it holds wherever both go."""
+    folder = os.path.dirname(os.path.realpath(report))
+    seen = os.path.relpath(os.path.realpath(path), folder).replace(os.sep, "/")
+    return seen + "/" * path.endswith("/")

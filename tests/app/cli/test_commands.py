@@ -1,0 +1,123 @@
+import json
+
+import pytest
+from command_line import PUSH, files, laws
+
+SCREENS = ("inertia", "forces", "reactions")
+
+
+@pytest.fixture
+def push(tmp_path):
+    path = tmp_path / "push.yaml"
+    path.write_text(PUSH, encoding="utf-8")
+    return path
+
+
+def test_help_names_every_command(tmp_path):
+    code, out, _ = laws("--help", folder=tmp_path)
+    assert code == 0
+    for command in ("demo", "render", "check", "new", "list", "schema", "doctor"):
+        assert f"\n  {command} " in out
+
+
+def test_every_command_has_help_with_examples(tmp_path):
+    for command in ("demo", "render", "check", "new", "list", "schema"):
+        code, out, _ = laws(command, "--help", folder=tmp_path)
+        assert code == 0
+        assert f"Examples:\n    laws {command}" in out
+
+
+def test_a_wrong_command_is_refused(tmp_path):
+    code, out, err = laws("rendre", folder=tmp_path)
+    assert (code, out) == (2, "")
+    assert "Did you mean 'render'?" in err
+
+
+def test_check_says_how_many_are_well(push, tmp_path):
+    assert laws("check", push, push, folder=tmp_path) == (0, "2 files checked, no mistakes\n", "")
+
+
+def test_check_shows_the_mistakes_of_all_files(push, tmp_path):
+    wrong = tmp_path / "wrong.yaml"
+    wrong.write_text(PUSH.replace("caption", "captoin").replace("body.speed", "body.sped"))
+    untapped = tmp_path / "untapped.yaml"
+    untapped.write_text(PUSH.replace("  - wait: 0.5s", "  - tap: dialog.accept", 1))
+    code, out, err = laws("check", push, "wrong.yaml", "untapped.yaml", folder=tmp_path)
+    assert (code, out) == (2, "")
+    assert "wrong.yaml:10:5: error[unknown-step]: unknown step 'captoin'" in err
+    assert "did you mean 'caption'?" in err
+    assert "error[unknown-probe]" in err
+    assert "untapped.yaml:12:10: error[" in err
+    assert err.endswith("3 mistakes in 2 files\n")
+    assert "Traceback" not in err
+
+
+@pytest.mark.parametrize("screen", SCREENS)
+def test_new_writes_a_scenario_that_is_well(screen, tmp_path):
+    code, out, _ = laws("new", screen, folder=tmp_path)
+    assert (code, out) == (0, f"{screen}.yaml\n")
+    assert laws("check", f"{screen}.yaml", folder=tmp_path)[0] == 0
+
+
+def test_new_overwrites_nothing(push, tmp_path):
+    code, _, err = laws("new", "inertia", "-o", push, folder=tmp_path)
+    assert code == 2
+    assert "is there already" in err
+    assert push.read_text(encoding="utf-8") == PUSH
+
+
+def test_new_knows_the_nearest_screen(tmp_path):
+    code, _, err = laws("new", "reaction", folder=tmp_path)
+    assert code == 2
+    assert "did you mean 'reactions'?" in err
+    assert files(tmp_path) == []
+
+
+def test_list_names_what_a_scenario_can_use(tmp_path):
+    code, out, _ = laws("list", folder=tmp_path)
+    assert code == 0
+    for name in ("force.toggle", "cart.a.finish_time", "particle.N.x", "body.restitution"):
+        assert name in out
+
+
+def test_list_as_json(tmp_path):
+    everything = json.loads(laws("list", "--json", folder=tmp_path)[1])
+    assert [screen["id"] for screen in everything["screens"]] == list(SCREENS)
+    settings = {row["name"]: row for row in everything["screens"][0]["settings"]}
+    assert settings["body.mass"]["unit"] == "kg"
+    assert {row["screen"] for row in everything["scenarios"]} == set(SCREENS)
+
+
+def test_schema_is_json_schema(tmp_path):
+    schema = json.loads(laws("schema", folder=tmp_path)[1])
+    assert schema["$schema"] == "http://json-schema.org/draft-07/schema#"
+
+
+def test_doctor_finds_this_installation_well(tmp_path):
+    code, out, err = laws("doctor", folder=tmp_path)
+    assert (code, err) == (0, "")
+    assert "ok    pygame-ce" in out
+    assert "bad" not in out
+
+
+def test_doctor_tells_that_pygame_hides_pygame_ce(tmp_path):
+    twin = tmp_path / "site" / "pygame-2.6.1.dist-info"
+    twin.mkdir(parents=True)
+    (twin / "METADATA").write_text("Metadata-Version: 2.1\nName: pygame\nVersion: 2.6.1\n")
+    path = str(tmp_path / "site")
+    code, out, _ = laws("doctor", folder=tmp_path, PYTHONPATH=path)
+    assert code == 2
+    assert "python -m pip uninstall -y pygame pygame-ce" in out
+    code, _, err = laws("demo", folder=tmp_path, PYTHONPATH=path)
+    assert code == 2
+    assert "python -m pip uninstall -y pygame pygame-ce" in err
+
+
+@pytest.mark.parametrize("command", [("--help",), ("check", "push.yaml"), ("list",)])
+def test_nothing_heavy_is_imported_before_it_is_used(command, push, tmp_path):
+    _, _, err = laws(*command, folder=tmp_path, interpreter=("-X", "importtime"))
+    imported = {
+        line.split("|")[2].strip().split(".")[0] for line in err.splitlines() if "|" in line
+    }
+    assert "typer" in imported
+    assert imported.isdisjoint({"pygame", "av", "numba", "PIL", "rich", "pydantic"})
