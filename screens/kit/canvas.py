@@ -2,6 +2,9 @@
 
 import math
 from collections.abc import Sequence
+from contextlib import AbstractContextManager, nullcontext
+from functools import lru_cache
+from typing import TYPE_CHECKING
 
 from engine import Body, Circle, Particle, Polygon, Wall
 from screens.kit import arrows, theme
@@ -9,9 +12,11 @@ from screens.kit.arrows import Kind
 from screens.kit.geometry import Point, Rect, Size
 from screens.kit.labels import Labels
 from screens.kit.numbers import quantity
-from screens.kit.view import Room, View
-from screens.kit.surface import Surface
 from screens.kit.theme import Color
+from screens.kit.view import Room, View
+
+if TYPE_CHECKING:
+    from screens.kit.surface import Surface
 
 SPIN_MARK = 0.5
 """Where the mark of a spinning circle starts, in radii from its centre."""
@@ -28,7 +33,7 @@ class Canvas:
     What is drawn blocks its place for labels: draw bodies and arrows first, then labels.
     """
 
-    def __init__(self, surface: Surface, rect: Rect, room: Room) -> None:
+    def __init__(self, surface: "Surface", rect: Rect, room: Room) -> None:
         """Look at `room` (m) through `rect` (dp)."""
         self.surface = surface
         self.rect = rect
@@ -85,15 +90,20 @@ class Canvas:
         if isinstance(shape, Wall):
             self.wall(shape, color)
             return
-        center = self.view.to_screen((body.x, body.y))
-        with self.surface.clip(self.rect):
-            if isinstance(shape, Polygon):
-                self._polygon(
-                    [self.view.to_screen(v) for v in body.vertices], color, opacity
-                )
-            else:
-                self._disc(center, shape, body.angle, color, opacity)
-            ink = letter_color(color, opacity)
+        center = self.view.to_screen(body.position)
+        ink = letter_color(color, opacity)
+        if isinstance(shape, Polygon):
+            corners = [self.view.to_screen(v) for v in body.vertices]
+            with self._within(*corners):
+                self._polygon(corners, color, opacity)
+                self.surface.letter(letter, center, theme.LETTER, ink)
+            return
+        radius = shape.radius * self.view.scale
+        x, y = center
+        with self._within(Point(x - radius, y - radius), Point(x + radius, y + radius)):
+            self._disc(center, radius, color, opacity)
+            if isinstance(shape, Circle):
+                self._spin_mark(center, radius, body.angle, color)
             self.surface.letter(letter, center, theme.LETTER, ink)
 
     def wall(self, wall: Wall, color: Color = theme.WALL) -> None:
@@ -113,10 +123,8 @@ class Canvas:
         """
         tail = self.view.to_screen(at)
         tip = Point(tail.x + reach[0], tail.y - reach[1])
-        with self.surface.clip(self.rect):
-            self.surface.arrow(
-                tail, tip, kind.color, width=theme.ARROW_WIDTH, head=kind.head, alpha=alpha
-            )
+        with self._within(tail, tip):
+            self.surface.arrow(tail, tip, kind.color, theme.ARROW_WIDTH, kind.head, alpha)
         self.labels.block_line(tail, tip, arrows.HEAD_WIDTH * theme.ARROW_WIDTH)
         return tip
 
@@ -165,17 +173,23 @@ class Canvas:
             self.pill(words, place, color, alpha)
         return place
 
-    def _disc(
-        self, center: Point, shape: Circle | Particle, angle: float, color: Color, opacity: float
-    ) -> None:
-        radius = shape.radius * self.view.scale
+    def _within(self, *points: Point) -> AbstractContextManager[None]:
+        """Clip to the canvas, if what is drawn between these points may leave it."""
+        rect = self.rect
+        for x, y in points:
+            if not (rect.x + 1 < x < rect.right - 1 and rect.y + 1 < y < rect.bottom - 1):
+                return self.surface.clip(rect)
+        return nullcontext()
+
+    def _disc(self, center: Point, radius: float, color: Color, opacity: float) -> None:
         self.surface.circle(center, radius, color, opacity, outline=color)
-        if isinstance(shape, Circle):
-            x, y = math.cos(angle) * radius, -math.sin(angle) * radius
-            near = Point(center.x + SPIN_MARK * x, center.y + SPIN_MARK * y)
-            far = Point(center.x + 0.92 * x, center.y + 0.92 * y)
-            self.surface.capsule(near, far, theme.OUTLINE_WIDTH, color)
         self.labels.block_circle(center, radius)
+
+    def _spin_mark(self, center: Point, radius: float, angle: float, color: Color) -> None:
+        x, y = math.cos(angle) * radius, -math.sin(angle) * radius
+        near = Point(center.x + SPIN_MARK * x, center.y + SPIN_MARK * y)
+        far = Point(center.x + 0.92 * x, center.y + 0.92 * y)
+        self.surface.capsule(near, far, theme.OUTLINE_WIDTH, color)
 
     def _polygon(self, corners: list[Point], color: Color, opacity: float) -> None:
         self.surface.polygon(corners, color, opacity, outline=color)
@@ -204,6 +218,7 @@ GAP_TO_BORDER = 4.0
 """Labels keep this far from the border of the canvas (dp)."""
 
 
+@lru_cache(maxsize=256)
 def letter_color(color: Color, opacity: float) -> Color:
     """Dark or light, whichever reads better on a body of this colour and opacity."""
     ground = theme.luminance(theme.mix(color, opacity, theme.CANVAS))

@@ -4,6 +4,7 @@ Needs no pygame. All is in dp.
 """
 
 import math
+from array import array
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,10 @@ RINGS = (0.0, 8.0, 18.0, 32.0, 50.0, 74.0)
 """How far labels may move away from their anchor, nearest first."""
 TURNS = tuple(math.pi * turn / 12 for turn in (6, 4, 8, 2, 10, 0, 12, 14, 22, 16, 20, 18))
 """Directions that are tried on each ring: upwards first, straight down last (rad)."""
+AWAY: NDArray[Any] = np.array(
+    [(ring, math.cos(turn), -math.sin(turn)) for ring in RINGS for turn in TURNS]
+)
+"""Ring (dp) and direction (x, y) of all places that are tried, in order; shape (n, 3)."""
 MARGIN = 2.0
 """What is left free around a label."""
 
@@ -25,19 +30,20 @@ class Labels:
     def __init__(self, bounds: Rect) -> None:
         """Start with nothing but the limits of the canvas."""
         self.bounds = bounds
-        self._taken: list[tuple[float, float, float, float]] = []
+        self._taken = array("d")
+        """Left, top, right and bottom of one rectangle after the other."""
 
     def block(self, rect: Rect) -> None:
         """Keep labels off a rectangle."""
-        self._taken.append((rect.x, rect.y, rect.right, rect.bottom))
+        self._taken.extend((rect.x, rect.y, rect.right, rect.bottom))
 
     def block_circle(self, center: Point, radius: float) -> None:
         """Keep labels off a disc: of the square around it all but the corners."""
         x, y = center
         near, far = 0.5 * radius, 0.9 * radius
-        self._taken.append((x - near, y - radius, x + near, y + radius))
-        self._taken.append((x - far, y - far, x + far, y + far))
-        self._taken.append((x - radius, y - near, x + radius, y + near))
+        self._taken.extend((x - near, y - radius, x + near, y + radius))
+        self._taken.extend((x - far, y - far, x + far, y + far))
+        self._taken.extend((x - radius, y - near, x + radius, y + near))
 
     def block_line(self, a: Point, b: Point, width: float) -> None:
         """Keep labels off a thick line, as a row of rectangles along it."""
@@ -51,7 +57,7 @@ class Labels:
         for i in range(pieces):
             x0, x1 = sorted((a.x + dx * i / pieces, a.x + dx * (i + 1) / pieces))
             y0, y1 = sorted((a.y + dy * i / pieces, a.y + dy * (i + 1) / pieces))
-            self._taken.append((x0 - half, y0 - half, x1 + half, y1 + half))
+            self._taken.extend((x0 - half, y0 - half, x1 + half, y1 + half))
 
     def is_free(self, rect: Rect) -> bool:
         """Whether a label may stand there."""
@@ -66,14 +72,21 @@ class Labels:
         """
         found = prefer if prefer is not None and self.is_free(prefer) else None
         if found is None:
-            spots = _spots(size, anchor, gap)
-            free = np.flatnonzero(self._free(spots, size))
-            if not free.size:
-                return None
-            x, y = spots[free[0]]
-            found = Rect(float(x), float(y), size.width, size.height)
-        self.block(found)
+            found = self._nearest(size, anchor, gap)
+        if found is not None:
+            self.block(found)
         return found
+
+    def _nearest(self, size: Size, anchor: Point, gap: float) -> Rect | None:
+        """The first free place, ring by ring."""
+        spots = _spots(size, anchor, gap)
+        for first in range(0, len(spots), len(TURNS)):
+            ring = spots[first : first + len(TURNS)]
+            free = np.flatnonzero(self._free(ring, size))
+            if free.size:
+                x, y = ring[free[0]]
+                return Rect(float(x), float(y), size.width, size.height)
+        return None
 
     def _free(self, corners: NDArray[Any], size: Size) -> NDArray[Any]:
         """Which of the labels with these top left corners, shape (n, 2), cover nothing."""
@@ -88,7 +101,7 @@ class Labels:
         )[:, 0]
         if not self._taken:
             return inside
-        taken = np.array(self._taken)
+        taken = np.frombuffer(self._taken).reshape(-1, 4)
         hit = (
             (left - MARGIN < taken[:, 2])
             & (right + MARGIN > taken[:, 0])
@@ -100,11 +113,7 @@ class Labels:
 
 def _spots(size: Size, anchor: Point, gap: float) -> NDArray[Any]:
     """Top left corners to try, shape (n, 2): the label touches an ellipse around the anchor."""
-    spots = []
-    for ring in RINGS:
-        for turn in TURNS:
-            away = gap + ring
-            x = anchor.x + math.cos(turn) * (away + size.width / 2) - size.width / 2
-            y = anchor.y - math.sin(turn) * (away + size.height / 2) - size.height / 2
-            spots.append((x, y))
-    return np.array(spots)
+    half = np.array([size.width / 2, size.height / 2])
+    corner = np.array([anchor.x, anchor.y]) - half
+    spots: NDArray[Any] = corner + AWAY[:, 1:] * (AWAY[:, :1] + gap + half)
+    return spots

@@ -80,7 +80,9 @@ class Disc(NamedTuple):
     def distance(self, x: Grid, y: Grid) -> Grid:
         """See `Shape`."""
         dx, dy = x - self.x, y - self.y
-        distance: Grid = np.sqrt(dx * dx + dy * dy) - self.radius
+        distance: Grid = dx * dx + dy * dy
+        np.sqrt(distance, out=distance)
+        distance -= self.radius
         return distance
 
 
@@ -107,9 +109,12 @@ class Slab(NamedTuple):
         left, top, right, bottom, radius = self
         dx = np.abs(x - (left + right) / 2) - ((right - left) / 2 - radius)
         dy = np.abs(y - (top + bottom) / 2) - ((bottom - top) / 2 - radius)
-        inside = np.minimum(np.maximum(dx, dy), 0)
+        distance: Grid = np.maximum(dx, dy)
+        np.minimum(distance, 0, out=distance)
+        distance -= radius
         dx, dy = np.maximum(dx, 0), np.maximum(dy, 0)
-        distance: Grid = np.sqrt(dx * dx + dy * dy) + inside - radius
+        corner = dx * dx + dy * dy
+        distance += np.sqrt(corner, out=corner)
         return distance
 
 
@@ -135,7 +140,7 @@ class Hull(NamedTuple):
             for i in range(len(corners))
         )
         turn = 1.0 if area > 0 else -1.0
-        farthest = np.full((y.size, x.size), -np.inf, x.dtype)
+        farthest: Grid = np.full((y.size, x.size), -np.inf, x.dtype)
         for i in range(len(corners)):
             a, b = corners[i - 1], corners[i]
             dx, dy = b.x - a.x, b.y - a.y
@@ -171,8 +176,12 @@ class Bar(NamedTuple):
     def distance(self, x: Grid, y: Grid) -> Grid:
         """See `Shape`."""
         along, across, length = _along_and_across(self.a, self.b, x, y)
-        beyond = along - np.clip(along, 0, length)
-        distance: Grid = np.sqrt(across * across + beyond * beyond) - self.width / 2
+        along -= length / 2
+        beyond = np.abs(along, out=along)
+        beyond -= length / 2
+        np.maximum(beyond, 0, out=beyond)
+        distance = _length(across, beyond)
+        distance -= self.width / 2
         return distance
 
 
@@ -238,17 +247,36 @@ class ArrowShape(NamedTuple):
         """See `Shape`."""
         parts = self._parts()
         along, across, length = _along_and_across(parts.tail, parts.neck, x, y)
-        before = np.minimum(along, 0)
-        shaft = np.sqrt(across * across + before * before) - parts.width / 2
-        head = Hull((parts.wings[0], parts.tip, parts.wings[1])).distance(x, y)
+        tall, half = arrows.HEAD_LENGTH * parts.width, arrows.HEAD_WIDTH * parts.width / 2
+        slope = math.sqrt(tall * tall + half * half)
+        np.abs(across, out=across)
+        head = along * (half / slope)
+        head += across * (tall / slope)
+        head -= (length + tall) * half / slope
+        np.maximum(head, length - along, out=head)
+        overlap = parts.width / 2
         if self.hollow:
             line = max(1.0, HOLLOW_LINE * parts.width)
-            head = np.abs(head + line / 2) - line / 2
-            shaft = np.maximum(shaft, along - length - line / 2)
-        else:
-            shaft = np.maximum(shaft, along - length - parts.width / 2)
-        distance: Grid = np.minimum(shaft, head)
+            head += line / 2
+            np.abs(head, out=head)
+            head -= line / 2
+            overlap = line / 2
+        beyond = along - (length + overlap)
+        np.minimum(along, 0, out=along)
+        shaft = _length(across, along)
+        shaft -= parts.width / 2
+        np.maximum(shaft, beyond, out=shaft)
+        distance: Grid = np.minimum(shaft, head, out=shaft)
         return distance
+
+
+def _length(x: Grid, y: Grid) -> Grid:
+    """The length of each vector (x, y); both are used up."""
+    x *= x
+    y *= y
+    x += y
+    length: Grid = np.sqrt(x, out=x)
+    return length
 
 
 def _along_and_across(a: Point, b: Point, x: Grid, y: Grid) -> tuple[Grid, Grid, float]:
@@ -278,18 +306,36 @@ FILLED = Look()
 
 def cover(shape: Shape, look: Look, box: Box) -> Coverage:
     """How much `shape` covers each pixel of `box`."""
-    reach = max(abs(side) for side in shape.bounds())
-    kind = np.float64 if reach > FAR else np.float32
-    x = (np.arange(box.left, box.right, dtype=np.float64) + 0.5).astype(kind)[None, :]
-    y = (np.arange(box.top, box.bottom, dtype=np.float64) + 0.5).astype(kind)[:, None]
+    left, top, right, bottom = shape.bounds()
+    reach = max(-left, -top, right, bottom)
+    kind = np.float32 if reach < FAR else np.float64
+    x = np.arange(box.left + 0.5, box.right, dtype=kind)[None, :]
+    y = np.arange(box.top + 0.5, box.bottom, dtype=kind)[:, None]
     distance = shape.distance(x, y)
-    covered = np.clip(0.5 - look.inset - distance, 0, 1) * kind(look.area)
+    rim = None
     if look.rim > 0:
         half = look.rim_width / 2
-        rim = np.clip(0.5 + half - np.abs(distance + half), 0, 1) * kind(look.rim)
-        covered = covered + rim - covered * rim
-    coverage: Coverage = (covered * 255 + 0.5).astype(np.uint8)
+        rim = distance + half
+        np.abs(rim, out=rim)
+        _soften(rim, half, look.rim)
+    area = _soften(distance, -look.inset, look.area)
+    if rim is not None:
+        both = area * rim
+        area += rim
+        area -= both
+    area *= 255
+    area += 0.5
+    coverage: Coverage = area.astype(np.uint8)
     return coverage
+
+
+def _soften(distance: Grid, grow: float, opacity: float) -> Grid:
+    """Turn distances into coverage, in place: of the shape grown by `grow` px."""
+    np.subtract(0.5 + grow, distance, out=distance)
+    np.maximum(distance, 0, out=distance)
+    np.minimum(distance, 1, out=distance)
+    distance *= opacity
+    return distance
 
 
 def bounding_box(shape: Shape) -> Box | None:

@@ -40,6 +40,10 @@ LARGEST = 8192
 """Of a picture's sides (px)."""
 SPRITES = 24 << 20
 """Bytes that drawn shapes and words may take."""
+MASKS = 8 << 20
+"""Bytes that coverage masks may take."""
+PHASES, SMALL = 16, 96.0
+"""Discs of up to 96 px radius are placed to a sixteenth of a pixel, so that masks are met again."""
 LAYERS = 2
 """How many static pictures are kept."""
 
@@ -72,7 +76,8 @@ class Surface:
         self.type: Type = _like.type if _like else Type(self.scale)
         self._picture = pygame.Surface((width, height), 0, 32, (0xFF0000, 0xFF00, 0xFF, 0))
         self._sprites: Cache[pygame.Surface] = _like._sprites if _like else Cache(SPRITES)
-        self._lines: Cache[list[str]] = _like._lines if _like else Cache(1 << 20)
+        self._masks: Cache[Coverage] = _like._masks if _like else Cache(MASKS)
+        self._lines: Cache[list[tuple[str, int]]] = _like._lines if _like else Cache(1 << 20)
         self._layers: Cache[Surface] = Cache(LAYERS)
 
     def pixels(self) -> NDArray[np.uint32]:
@@ -138,10 +143,11 @@ class Surface:
         outline_alpha: float = 1,
     ) -> None:
         """A disc; the outline lies inside its edge."""
-        scale = self.scale
-        if radius > 0:
-            disc = Disc(center[0] * scale, center[1] * scale, radius * scale)
-            self._shape(disc, color, alpha, outline, outline_width, outline_alpha)
+        x, y, r = center[0] * self.scale, center[1] * self.scale, radius * self.scale
+        if 0 < r <= SMALL and abs(x) < LARGEST * 2 and abs(y) < LARGEST * 2:
+            x, y = round(x * PHASES) / PHASES, round(y * PHASES) / PHASES
+        if r > 0:
+            self._shape(Disc(x, y, r), color, alpha, outline, outline_width, outline_alpha)
 
     def polygon(
         self,
@@ -201,7 +207,7 @@ class Surface:
     ) -> Size:
         """The size of what `text` draws with the same arguments (dp)."""
         broken = self._break(words, style, width, lines)
-        widest = max(self.type.width(line, style) for line in broken)
+        widest = max(wide for _, wide in broken)
         return Size(widest / self.scale, len(broken) * style.line_height)
 
     def text(
@@ -232,8 +238,7 @@ class Surface:
         elif valign == "middle":
             baseline += (CAP_HEIGHT * em - (len(broken) - 1) * leading) / 2
         widest = 0
-        for row, line in enumerate(broken):
-            wide = self.type.width(line, style)
+        for row, (line, wide) in enumerate(broken):
             widest = max(widest, wide)
             left = round(at[0] * scale - _share(align) * wide)
             self._line(line, left, round(baseline + row * leading), style, color, alpha)
@@ -254,13 +259,10 @@ class Surface:
         left, baseline = x - wide / 2, y + CAP_HEIGHT * em / 2
         column, row = int(left // 1), int(baseline // 1)
         right, down = int((left - column) * FINE), int((baseline - row) * FINE)
-        key = ("letter", words, style.weight, em, right, down, color, _level(alpha))
-
-        def make() -> pygame.Surface:
-            mask = self.type.floating(words, style, right, down)
-            return _sprite(mask, color, _level(alpha))
-
-        sprite = self._sprites.get(key, make, _bytes)
+        key = ("letter", words, style.weight, em, right, down)
+        sprite = self._tinted(
+            key, lambda: self.type.floating(words, style, right, down), color, _level(alpha)
+        )
         rise = self.type.rise(style)
         self._picture.blit(sprite, (column, row - rise))
 
@@ -308,12 +310,18 @@ class Surface:
         left, top, width, height = self._picture.get_clip()
         return Box(left, top, left + width, top + height)
 
-    def _break(self, words: str, style: Style, width: float | None, lines: int | None) -> list[str]:
+    def _break(
+        self, words: str, style: Style, width: float | None, lines: int | None
+    ) -> list[tuple[str, int]]:
+        """The lines that words are broken into, and how wide each is (px)."""
         pixels = None if width is None else width * self.scale
         return self._lines.get(
             (words, style, pixels, lines),
-            lambda: self.type.lines(words, style, pixels, lines),
-            lambda broken: 100 + sum(len(line) for line in broken) + len(words),
+            lambda: [
+                (line, self.type.width(line, style))
+                for line in self.type.lines(words, style, pixels, lines)
+            ],
+            lambda broken: 200 + 100 * len(broken) + 2 * len(words),
         )
 
     def _line(
@@ -322,13 +330,20 @@ class Surface:
         if not line or alpha <= 0:
             return
         em = self.type.pixels(style)
-        sprite = self._sprites.get(
-            ("line", line, style.weight, em, color, _level(alpha)),
-            lambda: _sprite(self.type.line(line, style), color, _level(alpha)),
-            _bytes,
-        )
+        key = ("line", line, style.weight, em)
+        sprite = self._tinted(key, lambda: self.type.line(line, style), color, _level(alpha))
         rise = self.type.font(style.weight, em).get_ascent()
         self._picture.blit(sprite, (left, baseline - rise))
+
+    def _tinted(
+        self, key: Hashable, make: Callable[[], Coverage], color: Color, level: int
+    ) -> pygame.Surface:
+        """The mask of `key` in a colour; both are kept, as colours fade more often than shapes."""
+        return self._sprites.get(
+            (key, color, level),
+            lambda: _sprite(self._masks.get(key, make, _mask_bytes), color, level),
+            _bytes,
+        )
 
     def _shape(
         self,
@@ -364,12 +379,10 @@ class Surface:
             self._picture.blit(sprite, (seen.left, seen.top))
             return
         home = shape.moved(-box.left, -box.top)
+        key = (type(home), home, look)
         extent = Box(0, 0, *_extent(box))
-        sprite = self._sprites.get(
-            (type(home), home, look, color, level),
-            partial(_make, home, look, extent, color, level),
-            _bytes,
-        )
+
+        sprite = self._tinted(key, partial(cover, home, look, extent), color, level)
         self._picture.blit(sprite, (box.left, box.top))
 
 
@@ -392,8 +405,8 @@ def _bytes(sprite: pygame.Surface) -> int:
     return 4 * sprite.get_width() * sprite.get_height() + 500
 
 
-def _make(shape: Shape, look: Look, box: Box, color: Color, level: int) -> pygame.Surface:
-    return _sprite(cover(shape, look, box), color, level)
+def _mask_bytes(mask: Coverage) -> int:
+    return mask.size + 500
 
 
 def _sprite(coverage: Coverage, color: Color, level: int) -> pygame.Surface:
