@@ -36,6 +36,9 @@ SUFFIXES = {
 }
 """Kind of an output by its suffix; a path that ends in "/" is of kind "png", a folder of frames."""
 
+LARGEST = {"gif": 65535, "webp": 16383, "mp4": 16384, "webm": 65535}
+"""Pixels a side that a format can hold, where that is little."""
+
 VIDEO_EXTRA = 'python -m pip install "laws-of-motion[video]"'
 """What installs the encoders of .mp4 and .webm."""
 
@@ -70,6 +73,8 @@ def check_output(path: str | os.PathLike[str], size: tuple[int, int], fps: int) 
     if fps < 1:
         raise OutputError(path, f"{fps} frames per second show nothing")
     width, height = size
+    if max(size) > LARGEST.get(kind, max(size)):
+        raise OutputError(path, f"{width}x{height} is too large; at most {LARGEST[kind]} a side")
     if kind in ("mp4", "webm"):
         if width % 2 or height % 2:
             raise OutputError(path, f"a video has even sides, not {width}x{height}")
@@ -91,7 +96,7 @@ def open_sink(path: str | os.PathLike[str], film: "Film") -> "Sink":
 
     module, name = _ENCODERS[kind]
     encoder = getattr(importlib.import_module(module), name)
-    return Kept(os.fspath(path), film, encoder, folder=kind == "png")
+    return Kept(os.fspath(path), film, encoder, folder=kind == "png", pictures=kind != "csv")
 
 
 def write_json(path: str | os.PathLike[str], data: object) -> None:

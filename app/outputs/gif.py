@@ -112,7 +112,7 @@ def _compressed(indices: NDArray[np.uint8]) -> bytes:
     image = Image.frombuffer("P", (width, height), indices, "raw", "P", 0, 1)
     image.putpalette(bytes(3 * SIZE))
     file = io.BytesIO()
-    image.save(file, "GIF", optimize=False)
+    image.save(file, "GIF", optimize=False, interlace=False)
     data = file.getvalue()
     at = 13 + 3 * 2 ** ((data[10] & 7) + 1)
     while data[at] == 0x21:  # an extension: two bytes, then blocks up to an empty one

@@ -29,9 +29,19 @@ class Kept:
     """A `Sink` that keeps its promise: `close` leaves the whole file there, or says why not."""
 
     def __init__(
-        self, path: str, film: Film, make: Callable[[Path, Film], Encoder], *, folder: bool = False
+        self,
+        path: str,
+        film: Film,
+        make: Callable[[Path, Film], Encoder],
+        *,
+        folder: bool = False,
+        pictures: bool = True,
     ) -> None:
-        """Claim the place and open the encoder. Raises OutputError."""
+        """Claim the place and open the encoder. Raises OutputError.
+
+        `folder`: the encoder writes into a folder. `pictures`: without any, nothing is whole.
+        """
+        self._wants_pictures = pictures
         self._pictures = 0
         self._ended = False
         self._promise = Promise(path, folder=folder)
@@ -56,6 +66,8 @@ class Kept:
     def close(self) -> None:
         """Finish the file and give it its name; if that fails, nothing of it is left."""
         try:
+            if self._wants_pictures and not self._pictures:
+                raise OutputError(self._promise.path, "the film has no picture")
             with explained(self._promise.path):
                 self._encoder.finish()
             self._check()
@@ -79,6 +91,6 @@ class Kept:
         if not part.exists():
             raise OutputError(self._promise.path, "the file vanished while it was written")
         if part.is_file() and part.stat().st_size == 0:
-            raise OutputError(self._promise.path, "no picture was made")
-        if part.is_dir() and sum(1 for _ in part.iterdir()) != max(self._pictures, 1):
+            raise OutputError(self._promise.path, "nothing was written")
+        if part.is_dir() and sum(1 for _ in part.iterdir()) != self._pictures:
             raise OutputError(self._promise.path, "frames are missing in the folder")

@@ -15,10 +15,10 @@ CANDIDATES = 4096
 
 _Steps = tuple[tuple[int, int], ...]
 
-_TOLERANCE: _Steps = ((96, 6), (160, 10), (208, 20), (240, 40))
+_TOLERANCE: _Steps = ((64, 1), (96, 6), (160, 10), (208, 20), (240, 40))
 """(entries in use, distance): up to so many, a colour that far from all others gets its own."""
 
-_FLAT_TOLERANCE: _Steps = ((192, 1), (232, 6), (SIZE, 16))
+_FLAT_TOLERANCE: _Steps = ((208, 1), (240, 4), (SIZE, 8))
 """The same for areas: exact as long as there is plenty of room; the last entries are theirs."""
 
 

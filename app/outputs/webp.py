@@ -13,13 +13,9 @@ from PIL import Image
 
 from app.frames import Film, Frame, Moment, Pixels
 from app.outputs.changes import Box, changed, whole
-from app.outputs.promise import OutputError
 
 METHOD = 1
 """Effort of the encoder: 0 makes files 2.6 times as large, 2 takes 1.6 times as long."""
-
-LARGEST = 16383
-"""Pixels a side that the bitstream can hold."""
 
 _ANIMATION = 0x02
 _REPLACE = 0x02  # do not blend, keep what was shown
@@ -29,8 +25,6 @@ class WebP:
     """Writes `.webp`; the times of frames are whole milliseconds that add up to the true time."""
 
     def __init__(self, part: Path, film: Film) -> None:
-        if max(film.width, film.height) > LARGEST:
-            raise OutputError(part, f"WebP pictures have at most {LARGEST} pixels a side")
         self._file = part.open("wb")
         self._fps = film.fps
         self._shown: Pixels | None = None
