@@ -144,7 +144,7 @@ class Body:
     @restitution.setter
     def restitution(self, value: Any) -> None:
         self._world.bodies.restitution[self._row()] = validate.fraction(value, "restitution")
-        self._world.rematerial()
+        self._world.displaced()
 
     @property
     def friction(self) -> float:
@@ -154,7 +154,7 @@ class Body:
     @friction.setter
     def friction(self, value: Any) -> None:
         self._world.bodies.friction[self._row()] = validate.not_negative(value, "friction")
-        self._world.rematerial()
+        self._world.displaced()
 
     @property
     def momentum(self) -> Vector:

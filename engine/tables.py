@@ -103,8 +103,17 @@ class Bodies(NamedTuple):
     path_y: Floats
     path_spin: Floats
     """(rad/s^2)"""
-    busy: Ints
-    """Number of resting contacts in the present part of the tick."""
+    kick_x: Floats
+    """Velocity at the end of the present part, as the resting contacts make it (m/s)."""
+    kick_y: Floats
+    kick_spin: Floats
+    """(rad/s)"""
+    middle_x: Floats
+    """Position in the middle of the present part (m)."""
+    middle_y: Floats
+    here_x: Floats
+    """Position for which the body was last placed (m)."""
+    here_y: Floats
     low_x: Floats
     """Box in which the body may move while the list of pairs holds (m)."""
     low_y: Floats
@@ -112,6 +121,9 @@ class Bodies(NamedTuple):
     high_y: Floats
     order: Ints
     """Rows sorted by `low_x`."""
+    first_link: Ints
+    """First row in `Links`, and number of rows: the pairs of this body."""
+    links: Ints
 
 
 class Corners(NamedTuple):
@@ -146,6 +158,121 @@ class Pushes(NamedTuple):
     at_y: Floats
     left: Floats
     """Time it still lasts (s); infinite until it is stopped."""
+
+
+class Pairs(NamedTuple):
+    """One row two bodies whose boxes overlap, sorted by (a, b); a < b are rows of `Bodies`."""
+
+    a: Ints
+    b: Ints
+    restitution: Floats
+    friction: Floats
+    size: Floats
+    """Reach of the smaller body (m), the scale of all tolerances."""
+    state: Ints
+    """`FREE`, `RESTING` or `PASSING`."""
+    normal_x: Floats
+    """Unit normal from a to b of the resting contact."""
+    normal_y: Floats
+    points: Ints
+    """Number of rows in `Contacts`, 0 to 2, from row 2 * pair on."""
+    carried: Floats
+    """Change of normal velocity that the resting contact brought about in its last part (m/s)."""
+    part: Floats
+    """Length of that part (s)."""
+    meeting: Floats
+    """When the two meet in the present part of the tick (s), or `NEVER`."""
+    speed: Floats
+    """With which they then approach each other (m/s)."""
+    queued: Ints
+    """1 if the pair stands in `queue`."""
+    queue: Ints
+    """Pairs that meet in the present part, in no order (a list of its own, not by row)."""
+    resting: Ints
+    """Pairs that rest in the present part, in order (a list of its own, not by row)."""
+
+
+class Contacts(NamedTuple):
+    """Points of resting contacts, two rows a pair."""
+
+    feature: Ints
+    """Which corners made it, to find it again in the next part."""
+    gap: Floats
+    """Distance of the surfaces (m), negative if they overlap."""
+    a_x: Floats
+    """Lever arm from the centre of a (m, world)."""
+    a_y: Floats
+    b_x: Floats
+    b_y: Floats
+    normal_mass: Floats
+    """Impulse that changes the normal velocity by 1 m/s (kg)."""
+    tangent_mass: Floats
+    normal_impulse: Floats
+    """Summed over the part (N s)."""
+    tangent_impulse: Floats
+    usual_impulse: Floats
+    """Running mean of the normal impulse over the parts before (N s)."""
+
+
+class Touch(NamedTuple):
+    """Where two bodies touch, as the geometry last found it: two rows, the normal in the first."""
+
+    x: Floats
+    """Point halfway between the surfaces (m, world)."""
+    y: Floats
+    gap: Floats
+    """(m)"""
+    normal_x: Floats
+    """Unit normal from a to b."""
+    normal_y: Floats
+    feature: Ints
+
+
+class Impacts(NamedTuple):
+    """One row an impact, in order of time."""
+
+    a: Ints
+    """Rows of `Bodies`."""
+    b: Ints
+    x: Floats
+    y: Floats
+    normal_x: Floats
+    normal_y: Floats
+    impulse_x: Floats
+    """Given to b (N s)."""
+    impulse_y: Floats
+    speed: Floats
+    restitution: Floats
+    time: Floats
+    """Since the tick began (s)."""
+    written: Ints
+    """First row: how many impacts stand here; second row: how many this tick has had."""
+
+
+class Links(NamedTuple):
+    """The pairs of each body, those of one body in sequence."""
+
+    pair: Ints
+
+
+class Tables(NamedTuple):
+    """All tables that the kernels of a step work on."""
+
+    bodies: Bodies
+    corners: Corners
+    pairs: Pairs
+    contacts: Contacts
+    links: Links
+    touch: Touch
+    impacts: Impacts
+
+
+FREE, RESTING, PASSING = 0, 1, 2
+"""States of a pair: they move on their own; they rest on each other; one comes through a one-sided
+wall from behind."""
+
+NEVER = 1e300
+"""A time that does not come (s)."""
 
 
 Table = TypeVar("Table", bound=tuple[Any, ...])

@@ -10,12 +10,30 @@ from engine import snapshot as snapshots
 from engine import validate
 from engine.accelerate import accelerate
 from engine.body import Body, OnCollision, OnMove
+from engine.broadphase import holds
 from engine.collision import Collision, Diverged, Removed
 from engine.forces import Drag, Push
+from engine.pairing import forget, make_room_for_impacts, pair_up, resting_columns
 from engine.settings import TICK, Rule, geometric_mean, larger, laws
 from engine.shapes import Particle, Polygon, Shape, Wall
 from engine.snapshot import Snapshot
-from engine.tables import Bodies, Corners, Pushes, allocate, arrays, grow, remove_row, views
+from engine.tables import (
+    Bodies,
+    Contacts,
+    Corners,
+    Impacts,
+    Links,
+    Pairs,
+    Pushes,
+    Tables,
+    Touch,
+    allocate,
+    arrays,
+    grow,
+    remove_row,
+    views,
+)
+from engine.travel import CROWDED, ESCAPED, begin, end, runaway, travel
 from engine.vector import Vector
 
 
@@ -54,8 +72,17 @@ class World:
         self._clock = (0.0, 0, 0.0)  # time = base + ticks * dt, so that sixty ticks are 1 s
         self._handles: dict[int, Body] = {}
         self._rows: dict[int, int] = {}
-        self.bodies = views(allocate(Bodies, 16))
-        self.corners = views(allocate(Corners, 64))
+        self._stale = True
+        self._pair_count = 0
+        self.tables = Tables(
+            bodies=views(allocate(Bodies, 16)),
+            corners=views(allocate(Corners, 64)),
+            pairs=views(allocate(Pairs, 64)),
+            contacts=views(allocate(Contacts, 128)),
+            links=views(allocate(Links, 1)),
+            touch=views(allocate(Touch, 2)),
+            impacts=views(allocate(Impacts, 64)),
+        )
         self.pushes = views(allocate(Pushes, 8))
 
     def step(self, dt: float = TICK) -> list[Collision]:
@@ -67,14 +94,15 @@ class World:
             Diverged: when a body left the range of numbers; the world is then of no more use.
         """
         dt = validate.positive(dt, "dt")
-        moved = self._where_callbacks_look()
+        watched = self._where_callbacks_look()
         accelerate(self.bodies, self._count, self.pushes, self._push_count, self.laws, dt)
-        self._fly(dt)
+        self._refuse_divergence(dt)
+        self._find_pairs(dt)
+        collisions = self._move(dt)
         self._end_pushes()
         self._tell_time(dt)
-        self._refuse_divergence()
-        collisions: list[Collision] = []
-        self._call_back(moved, collisions)
+        self._refuse_divergence(dt)
+        self._call_back(watched, collisions)
         return collisions
 
     def add(
@@ -132,13 +160,15 @@ class World:
         rows[rows > row] -= 1
         first, corners = self.bodies.first[row], self.bodies.corners[row]
         for _ in range(corners):
-            remove_row(self.corners, first, self._corner_count)
+            remove_row(self.tables.corners, first, self._corner_count)
             self._corner_count -= 1
         remove_row(self.bodies, row, self._count)
+        self._pair_count = forget(self.tables, self._pair_count, row)
         self._count -= 1
         np.asarray(self.bodies.first)[row : self._count] -= corners
         del self._handles[body.id]
         self._rows = {id: i for i, id in enumerate(self._handles)}
+        np.asarray(self.bodies.order)[: self._count] = np.arange(self._count)
         self.displaced()
 
     def __iter__(self) -> Iterator[Body]:
@@ -158,6 +188,11 @@ class World:
         if id not in self._handles:
             raise Removed(f"there is no body {id} in this world")
         return self._handles[id]
+
+    @property
+    def bodies(self) -> Bodies:
+        """Table of the bodies, a row each in the order of ids; what `Body` reads and writes."""
+        return self.tables.bodies
 
     @property
     def time(self) -> float:
@@ -202,8 +237,9 @@ class World:
 
     def snapshot(self) -> Snapshot:
         """Copy all that varies; `restore` brings it back bit for bit."""
-        used: list[tuple[Any, int]] = [(self.bodies, self._count)]
-        used += [(self.corners, self._corner_count), (self.pushes, self._push_count)]
+        t, pairs = self.tables, self._pair_count
+        used: list[tuple[Any, int]] = [(t.bodies, self._count), (t.corners, self._corner_count)]
+        used += [(t.pairs, pairs), (t.contacts, 2 * pairs), (self.pushes, self._push_count)]
         tables = tuple(tuple(column[:n].copy() for column in arrays(t)) for t, n in used)
         numbers = (self.tick, *self._clock, self._next_body, self._next_push)
         return Snapshot(tables, numbers, tuple(self._handles.values()))
@@ -214,10 +250,16 @@ class World:
             raise TypeError(f"only a Snapshot can be restored, not {snapshot!r}")
         if any(body._world is not self for body in snapshot.handles):
             raise ValueError("the snapshot is of another world")
-        bodies, corners, pushes = snapshot.tables
-        self.bodies, self._count = _refill(self.bodies, bodies)
-        self.corners, self._corner_count = _refill(self.corners, corners)
+        bodies, corners, pairs, contacts, pushes = snapshot.tables
+        new_bodies, self._count = _refill(self.bodies, bodies)
+        new_corners, self._corner_count = _refill(self.tables.corners, corners)
+        new_pairs, self._pair_count = _refill(self.tables.pairs, pairs)
+        new_contacts, _ = _refill(self.tables.contacts, contacts)
+        self.tables = self.tables._replace(
+            bodies=new_bodies, corners=new_corners, pairs=new_pairs, contacts=new_contacts
+        )
         self.pushes, self._push_count = _refill(self.pushes, pushes)
+        self._stale = True
         tick, base, ticks, dt, next_body, next_push = snapshot.numbers
         self.tick, self._clock = int(tick), (base, int(ticks), dt)
         self._next_body, self._next_push = int(next_body), int(next_push)
@@ -227,7 +269,14 @@ class World:
     def digest(self) -> str:
         """Hash of the state (SHA-256, hexadecimal): equal for equal worlds on any machine."""
         clock = (float(self.tick), self.time)
-        return snapshots.digest(self.bodies, self._count, self.pushes, self._push_count, clock, ())
+        return snapshots.digest(
+            self.bodies,
+            self._count,
+            self.pushes,
+            self._push_count,
+            clock,
+            resting_columns(self.tables, self._pair_count),
+        )
 
     # What the handles ask for.
 
@@ -267,22 +316,58 @@ class World:
                 return
 
     def displaced(self) -> None:
-        """Take note that a body was moved by hand, added or removed."""
-
-    def rematerial(self) -> None:
-        """Take note that restitution or friction of a body was changed by hand."""
+        """Take note that a body was moved by hand, or its material changed."""
+        self._stale = True
 
     # The parts of a step.
 
-    def _fly(self, dt: float) -> None:
-        b = self.bodies
-        for i in range(self._count):
-            b.x[i] += dt * (b.vx[i] + b.lead_x[i] + b.ax[i] * dt / 2.0)
-            b.y[i] += dt * (b.vy[i] + b.lead_y[i] + b.ay[i] * dt / 2.0)
-            b.angle[i] += dt * (b.spin[i] + b.lead_spin[i] + b.aspin[i] * dt / 2.0)
-            b.vx[i] += b.ax[i] * dt
-            b.vy[i] += b.ay[i] * dt
-            b.spin[i] += b.aspin[i] * dt
+    def _find_pairs(self, dt: float) -> None:
+        """Have a list of pairs that holds for this tick."""
+        if self._stale or not holds(self.tables, self._count, dt):
+            rules = (self.restitution_rule, self.friction_rule)
+            self.tables, self._pair_count = pair_up(
+                self.tables, self._count, self._pair_count, dt, *rules
+            )
+            self._stale = False
+
+    def _move(self, dt: float) -> list[Collision]:
+        """Move all bodies through the tick, along their paths and from impact to impact."""
+        collisions: list[Collision] = []
+        substep, limit = dt / self.laws.substeps, 1000 + 50 * self._count
+        begin(self.tables, self._count, self._pair_count, substep)
+        self.tables.impacts.written[1] = 0
+        now = 0.0
+        while now < dt:
+            status, now = travel(
+                self.tables, self._count, self._pair_count, now, dt, substep, limit
+            )
+            collisions += self._reported()
+            if status == CROWDED:
+                self.tables = make_room_for_impacts(self.tables)
+            elif status == ESCAPED:
+                self._stale = True
+                self._find_pairs(dt)
+        end(self.tables, self._count, self.laws.integrator, dt)
+        return collisions
+
+    def _reported(self) -> list[Collision]:
+        """Turn the table of impacts into collisions and empty it."""
+        impacts, handles = self.tables.impacts, list(self._handles.values())
+        number = impacts.written[0]
+        impacts.written[0] = 0
+        return [
+            Collision(
+                a=handles[impacts.a[i]],
+                b=handles[impacts.b[i]],
+                point=Vector(impacts.x[i], impacts.y[i]),
+                normal=Vector(impacts.normal_x[i], impacts.normal_y[i]),
+                impulse=Vector(impacts.impulse_x[i], impacts.impulse_y[i]),
+                speed=impacts.speed[i],
+                restitution=impacts.restitution[i],
+                time=self.time + impacts.time[i],
+            )
+            for i in range(number)
+        ]
 
     def _end_pushes(self) -> None:
         for i in reversed(range(self._push_count)):
@@ -298,12 +383,11 @@ class World:
         self.tick += 1
         self._clock = (base, ticks + 1, dt) if dt == last else (self.time, 1, dt)
 
-    def _refuse_divergence(self) -> None:
-        b = self.bodies
-        for body, i in zip(self._handles.values(), range(self._count), strict=True):
-            reach = b.x[i] + b.y[i] + b.angle[i] + b.vx[i] + b.vy[i] + b.spin[i]
-            if not -1e100 < reach < 1e100:
-                raise Diverged(f"{body.name} left the range of numbers in tick {self.tick}")
+    def _refuse_divergence(self, dt: float) -> None:
+        row = runaway(self.bodies, self._count, dt)
+        if row >= 0:
+            body = list(self._handles.values())[row]
+            raise Diverged(f"{body.name} left the range of numbers in tick {self.tick}")
 
     def _where_callbacks_look(self) -> list[tuple[Body, Vector, float]]:
         listeners = [body for body in self._handles.values() if body.on_move is not None]
@@ -326,9 +410,10 @@ class World:
         shape, row = body.shape, self._count
         points = _corner_points(shape)
         if row == len(self.bodies.id):
-            self.bodies = views(grow(self.bodies, 2 * row))
-        while self._corner_count + len(points) > len(self.corners.x):
-            self.corners = views(grow(self.corners, 2 * len(self.corners.x)))
+            self.tables = self.tables._replace(bodies=views(grow(self.bodies, 2 * row)))
+        while self._corner_count + len(points) > len(self.tables.corners.x):
+            more = views(grow(self.tables.corners, 2 * len(self.tables.corners.x)))
+            self.tables = self.tables._replace(corners=more)
         for column in self.bodies:
             column[row] = 0
         b = self.bodies
@@ -341,17 +426,19 @@ class World:
         inner = math.inf
         for i, start in enumerate(points):
             end = points[(i + 1) % len(points)]
-            k = self._corner_count + i
+            k, c = self._corner_count + i, self.tables.corners
             x, y = end.x - start.x, end.y - start.y
             length = math.sqrt(x * x + y * y) or 1.0
-            self.corners.x[k], self.corners.y[k] = start
-            self.corners.normal_x[k], self.corners.normal_y[k] = y / length, -x / length
+            c.x[k], c.y[k] = c.world_x[k], c.world_y[k] = start
+            c.normal_x[k], c.normal_y[k] = y / length, -x / length
+            c.world_normal_x[k], c.world_normal_y[k] = c.normal_x[k], c.normal_y[k]
             inner = min(inner, (start.x * y - start.y * x) / length)
         b.inner[row] = inner if isinstance(shape, Polygon) else b.radius[row]
         self._corner_count += len(points)
         self._count += 1
         self._handles[body.id] = body
         self._rows[body.id] = row
+        b.order[row] = row
         self.displaced()
 
 

@@ -1,0 +1,223 @@
+"""Newton's third law when bodies meet: equal and opposite impulses, one pair after another.
+
+The impulse along the normal is the exact answer for a single impact (thesis, eq. 40, with e for
+restitution): P = -(1 + e) v_n / (1/m_a + 1/m_b + (r_a x n)^2/I_a + (r_b x n)^2/I_b). Two points of
+one pair that meet at the same instant (a side that lands flat) share it so that both leave with e
+times their approach. Friction follows as an impulse against the sliding, at most mu times P; as
+it comes second and never reverses the sliding, no impact gains energy.
+"""
+
+from engine.manifolds.any_pair import touching_points
+from engine.meeting import STILL
+from engine.pose import advance, place
+from engine.tables import FREE, RESTING, Tables
+
+
+def strike(t: Tables, pair: int, time: float, shortest: float, early: float, plastic: bool) -> bool:
+    """Let a pair collide at `time` of the present part (s); return whether it rests from then on.
+
+    Args:
+        t: the tables.
+        pair: which pair.
+        time: of the impact.
+        shortest: a flight shorter than this (s) is none: the bodies stay together.
+        early: points that would touch within this time (s) are struck as well.
+        plastic: whether to take restitution as zero, as the end of endless bouncing.
+    """
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    advance(bodies, a, time)
+    advance(bodies, b, time)
+    place(bodies, t.corners, a, time)
+    place(bodies, t.corners, b, time)
+    points = touching_points(t, pair)
+    one, other, speed = choose_points(t, pair, points, early)
+    if one < 0:
+        return t.pairs.state[pair] == RESTING
+    restitution = t.pairs.restitution[pair]
+    rests = plastic or stays(t, pair, restitution * speed, shortest)
+    bounce = 1.0 if rests else 1.0 + restitution
+    exchange(t, pair, one, other, bounce, time)
+    t.pairs.state[pair] = RESTING if rests else FREE
+    return rests
+
+
+def choose_points(t: Tables, pair: int, points: int, early: float) -> tuple[int, int, float]:
+    """Which of the points in `Touch` take part (-1: none), and the fastest approach (m/s)."""
+    first = approach(t, pair, 0)
+    if points == 1:
+        return (0, -1, first) if first > STILL else (-1, -1, first)
+    second = approach(t, pair, 1)
+    gap_0 = t.touch.gap[0]
+    gap_1 = t.touch.gap[1]
+    within = (gap_0 if gap_0 < gap_1 else gap_1) + 1e-8 * t.pairs.size[pair]
+    if within < 0.0:
+        within = 0.0
+    hits_0 = first > STILL and gap_0 <= within + first * early
+    hits_1 = second > STILL and gap_1 <= within + second * early
+    if hits_0 and hits_1:
+        if first >= second:
+            return 0, 1, first
+        return 1, 0, second
+    if hits_0:
+        return 0, -1, first
+    if hits_1:
+        return 1, -1, second
+    return -1, -1, first
+
+
+def approach(t: Tables, pair: int, point: int) -> float:
+    """Speed along the normal with which the two bodies approach at a point of `Touch` (m/s)."""
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    x = t.touch.x[point]
+    y = t.touch.y[point]
+    vx = bodies.vx[a] - bodies.spin[a] * (y - bodies.here_y[a]) - bodies.vx[b]
+    vx += bodies.spin[b] * (y - bodies.here_y[b])
+    vy = bodies.vy[a] + bodies.spin[a] * (x - bodies.here_x[a]) - bodies.vy[b]
+    vy -= bodies.spin[b] * (x - bodies.here_x[b])
+    return vx * t.touch.normal_x[0] + vy * t.touch.normal_y[0]
+
+
+def stays(t: Tables, pair: int, leaving: float, shortest: float) -> bool:
+    """Whether bodies that leave each other with a speed (m/s) are back before `shortest` (s).
+
+    What drives them back is their relative acceleration, or, for bodies held by others, any of
+    the two accelerations.
+    """
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    normal_x = t.touch.normal_x[0]
+    normal_y = t.touch.normal_y[0]
+    of_a = bodies.ax[a] * normal_x + bodies.ay[a] * normal_y
+    of_b = bodies.ax[b] * normal_x + bodies.ay[b] * normal_y
+    fall = of_a - of_b
+    if bodies.held[a] > 0 or bodies.held[b] > 0:
+        fall = (of_a if of_a > 0.0 else -of_a) + (of_b if of_b > 0.0 else -of_b)
+    return leaving <= STILL or 2.0 * leaving < fall * shortest
+
+
+def exchange(t: Tables, pair: int, one: int, other: int, bounce: float, time: float) -> None:
+    """Give both bodies their impulses, along the normal, then against the sliding; report them."""
+    x = t.touch.x[one]
+    y = t.touch.y[one]
+    speed = approach(t, pair, one)
+    normal_x = t.touch.normal_x[0]
+    normal_y = t.touch.normal_y[0]
+    total = bounce * speed / response(t, pair, x, y, normal_x, normal_y)
+    if other >= 0:
+        share, both = share_of_two(t, pair, one, other, bounce)
+        if both > 0.0:
+            total = both
+            x += share * (t.touch.x[other] - x)
+            y += share * (t.touch.y[other] - y)
+            speed += share * (approach(t, pair, other) - speed)
+    give(t, pair, x, y, total * normal_x, total * normal_y)
+    sliding = slip(t, pair, x, y)
+    along = -sliding / response(t, pair, x, y, -normal_y, normal_x)
+    most = t.pairs.friction[pair] * total
+    if along > most:
+        along = most
+    elif along < -most:
+        along = -most
+    give(t, pair, x, y, -along * normal_y, along * normal_x)
+    impulse_x = total * normal_x - along * normal_y
+    impulse_y = total * normal_y + along * normal_x
+    report(t, pair, x, y, impulse_x, impulse_y, speed, time)
+
+
+def response(t: Tables, pair: int, x: float, y: float, along_x: float, along_y: float) -> float:
+    """Change of relative velocity by a unit impulse at (x, y) along a unit vector (1/kg)."""
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    arm_a = (x - bodies.here_x[a]) * along_y - (y - bodies.here_y[a]) * along_x
+    arm_b = (x - bodies.here_x[b]) * along_y - (y - bodies.here_y[b]) * along_x
+    return (
+        bodies.inverse_mass[a]
+        + bodies.inverse_mass[b]
+        + arm_a * arm_a * bodies.inverse_inertia[a]
+        + arm_b * arm_b * bodies.inverse_inertia[b]
+    )
+
+
+def share_of_two(t: Tables, pair: int, one: int, other: int, bounce: float) -> tuple[float, float]:
+    """Solve for both points at once: share of the second and impulse of both along the normal.
+
+    The share is between 0 and 1; the impulse is 0 where the second would have to pull.
+    """
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    nx = t.touch.normal_x[0]
+    ny = t.touch.normal_y[0]
+    a_1 = (t.touch.x[one] - bodies.here_x[a]) * ny - (t.touch.y[one] - bodies.here_y[a]) * nx
+    b_1 = (t.touch.x[one] - bodies.here_x[b]) * ny - (t.touch.y[one] - bodies.here_y[b]) * nx
+    a_2 = (t.touch.x[other] - bodies.here_x[a]) * ny - (t.touch.y[other] - bodies.here_y[a]) * nx
+    b_2 = (t.touch.x[other] - bodies.here_x[b]) * ny - (t.touch.y[other] - bodies.here_y[b]) * nx
+    mass = bodies.inverse_mass[a] + bodies.inverse_mass[b]
+    turn_a = bodies.inverse_inertia[a]
+    turn_b = bodies.inverse_inertia[b]
+    k11 = mass + a_1 * a_1 * turn_a + b_1 * b_1 * turn_b
+    k22 = mass + a_2 * a_2 * turn_a + b_2 * b_2 * turn_b
+    k12 = mass + a_1 * a_2 * turn_a + b_1 * b_2 * turn_b
+    v1 = bounce * approach(t, pair, one)
+    v2 = bounce * approach(t, pair, other)
+    determinant = k11 * k22 - k12 * k12
+    if determinant <= 1e-12 * k11 * k22:  # bodies that hardly turn: both points are alike
+        return 0.5, v1 / k12
+    p1 = (k22 * v1 - k12 * v2) / determinant
+    p2 = (k11 * v2 - k12 * v1) / determinant
+    if p1 <= 0.0 or p2 <= 0.0:
+        return 0.0, 0.0
+    return p2 / (p1 + p2), p1 + p2
+
+
+def slip(t: Tables, pair: int, x: float, y: float) -> float:
+    """Speed of b past a at (x, y), along the normal turned left (m/s)."""
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    vx = bodies.vx[b] - bodies.spin[b] * (y - bodies.here_y[b]) - bodies.vx[a]
+    vx += bodies.spin[a] * (y - bodies.here_y[a])
+    vy = bodies.vy[b] + bodies.spin[b] * (x - bodies.here_x[b]) - bodies.vy[a]
+    vy -= bodies.spin[a] * (x - bodies.here_x[a])
+    return vy * t.touch.normal_x[0] - vx * t.touch.normal_y[0]
+
+
+def give(t: Tables, pair: int, x: float, y: float, jx: float, jy: float) -> None:
+    """Give the impulse (N s) at (x, y) to b and its opposite to a."""
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    bodies.vx[a] -= bodies.inverse_mass[a] * jx
+    bodies.vy[a] -= bodies.inverse_mass[a] * jy
+    turn = (x - bodies.here_x[a]) * jy - (y - bodies.here_y[a]) * jx
+    bodies.spin[a] -= bodies.inverse_inertia[a] * turn
+    bodies.vx[b] += bodies.inverse_mass[b] * jx
+    bodies.vy[b] += bodies.inverse_mass[b] * jy
+    turn = (x - bodies.here_x[b]) * jy - (y - bodies.here_y[b]) * jx
+    bodies.spin[b] += bodies.inverse_inertia[b] * turn
+
+
+def report(
+    t: Tables, pair: int, x: float, y: float, jx: float, jy: float, speed: float, time: float
+) -> None:
+    """Write the impact to the table; its first row counts them (see `tick`)."""
+    impacts = t.impacts
+    row = impacts.written[0]
+    impacts.written[0] = row + 1
+    impacts.a[row] = t.pairs.a[pair]
+    impacts.b[row] = t.pairs.b[pair]
+    impacts.x[row] = x
+    impacts.y[row] = y
+    impacts.normal_x[row] = t.touch.normal_x[0]
+    impacts.normal_y[row] = t.touch.normal_y[0]
+    impacts.impulse_x[row] = jx
+    impacts.impulse_y[row] = jy
+    impacts.speed[row] = speed
+    impacts.restitution[row] = t.pairs.restitution[pair]
+    impacts.time[row] = time

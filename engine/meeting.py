@@ -1,0 +1,261 @@
+"""When two bodies meet: the time of impact inside a part of a tick.
+
+Bodies move along known parabolas, so the gap between two surfaces is a known function of time.
+Steps no longer than the gap allows (conservative advancement) lead to the first time at which it is
+negative; a bracketed secant (Illinois) then finds where it was zero, to rounding.
+"""
+
+import math
+
+from engine.manifolds.any_pair import gap_between, touching_points
+from engine.pose import place, velocity_at
+from engine.tables import FREE, NEVER, PASSING, Tables
+
+STILL = 1e-9
+"""Speed below which two touching bodies do not approach (m/s): rounding, no threshold to bounce."""
+
+ZERO_GAP = 1e-10
+"""Gap that counts as touching, as a share of the smaller body's reach."""
+
+
+def find_meeting(t: Tables, pair: int, start: float, end: float) -> None:
+    """Set when the pair meets in the part of the tick from `start` to `end` (s), and how fast."""
+    pairs = t.pairs
+    pairs.meeting[pair] = NEVER
+    if pairs.state[pair] != FREE:
+        return
+    bodies = t.bodies
+    a = pairs.a[pair]
+    b = pairs.b[pair]
+    from_a = start - bodies.clock[a]
+    from_b = start - bodies.clock[b]
+    path_ax = bodies.path_x[a]
+    path_ay = bodies.path_y[a]
+    path_bx = bodies.path_x[b]
+    path_by = bodies.path_y[b]
+    vx = bodies.vx[b] + path_bx * from_b - bodies.vx[a] - path_ax * from_a
+    vy = bodies.vy[b] + path_by * from_b - bodies.vy[a] - path_ay * from_a
+    ax = path_bx - path_ax
+    ay = path_by - path_ay
+    lasts = end - start
+    bound = math.sqrt(vx * vx + vy * vy) + math.sqrt(ax * ax + ay * ay) * lasts
+    if bodies.inverse_mass[a] > 0.0 and bodies.inverse_mass[b] > 0.0:
+        x = (
+            bodies.x[b] + (bodies.vx[b] + path_bx * from_b / 2.0) * from_b
+            - bodies.x[a] - (bodies.vx[a] + path_ax * from_a / 2.0) * from_a
+        )  # fmt: skip
+        y = (
+            bodies.y[b] + (bodies.vy[b] + path_by * from_b / 2.0) * from_b
+            - bodies.y[a] - (bodies.vy[a] + path_ay * from_a / 2.0) * from_a
+        )  # fmt: skip
+        reach = bodies.reach[a] + bodies.reach[b]
+        far = reach + bound * lasts
+        if x * x + y * y > far * far:
+            return
+        if bodies.corners[a] == 1 and bodies.corners[b] == 1 and ax == 0.0 and ay == 0.0:
+            discs_meet(t, pair, start, end, x, y, vx, vy, reach)
+            return
+    elif misses_wall(t, pair, start, bound * lasts):
+        return
+    search(t, pair, start, end, bound + rim_speed(t, a, lasts) + rim_speed(t, b, lasts))
+
+
+def misses_wall(t: Tables, pair: int, start: float, way: float) -> bool:
+    """Whether a body stays on its side of a wall's line, if it moves no further than `way` (m)."""
+    bodies = t.bodies
+    wall = t.pairs.a[pair]
+    body = t.pairs.b[pair]
+    if bodies.inverse_mass[body] == 0.0:
+        wall = t.pairs.b[pair]
+        body = t.pairs.a[pair]
+    first = bodies.first[wall]
+    passed = start - bodies.clock[body]
+    half = passed * passed / 2.0
+    x = bodies.x[body] + bodies.vx[body] * passed + bodies.path_x[body] * half
+    y = bodies.y[body] + bodies.vy[body] * passed + bodies.path_y[body] * half
+    above = t.corners.world_normal_x[first] * (
+        x - t.corners.world_x[first]
+    ) + t.corners.world_normal_y[first] * (y - t.corners.world_y[first])
+    reach = bodies.reach[body] + way
+    return above > reach or above < -reach
+
+
+def rim_speed(t: Tables, row: int, lasts: float) -> float:
+    """The most that rotation adds to the speed of any point of a body (m/s)."""
+    if t.bodies.corners[row] == 1:
+        return 0.0
+    spin = t.bodies.spin[row]
+    more = t.bodies.path_spin[row] * lasts
+    return ((spin if spin > 0.0 else -spin) + (more if more > 0.0 else -more)) * t.bodies.reach[row]
+
+
+def discs_meet(
+    t: Tables,
+    pair: int,
+    start: float,
+    end: float,
+    x: float,
+    y: float,
+    vx: float,
+    vy: float,
+    reach: float,
+) -> None:
+    """Solve |d + v t| = r for two round bodies that move with constant relative velocity."""
+    closing = x * vx + y * vy
+    if closing >= 0.0:
+        return
+    distance = math.sqrt(x * x + y * y)
+    room = distance * distance - reach * reach
+    square = vx * vx + vy * vy
+    if room <= 0.0:  # they touch, or overlap by rounding
+        if -closing > STILL * distance:
+            meet(t, pair, start, -closing / distance if distance > 0.0 else math.sqrt(square))
+        return
+    root = closing * closing - square * room
+    if root <= 0.0:
+        return
+    root = math.sqrt(root)
+    time = start + room / (root - closing)
+    if time <= end and root > STILL * reach:
+        meet(t, pair, time, root / reach)
+
+
+def meet(t: Tables, pair: int, time: float, speed: float) -> None:
+    """Note a meeting."""
+    t.pairs.meeting[pair] = time
+    t.pairs.speed[pair] = speed
+
+
+def gap_at(t: Tables, pair: int, time: float) -> float:
+    """Distance of the surfaces at `time` (m)."""
+    place(t.bodies, t.corners, t.pairs.a[pair], time)
+    place(t.bodies, t.corners, t.pairs.b[pair], time)
+    return gap_between(t, pair)
+
+
+def approach_at(t: Tables, pair: int, time: float) -> float:
+    """Greatest speed (m/s) at which points that touch at `time` approach; negative if none does.
+
+    Leaves the points of contact in `Touch`.
+    """
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    place(t.bodies, t.corners, a, time)
+    place(t.bodies, t.corners, b, time)
+    points = touching_points(t, pair)
+    lowest = t.touch.gap[0]
+    if points == 2 and t.touch.gap[1] < lowest:
+        lowest = t.touch.gap[1]
+    within = lowest + 1e-8 * t.pairs.size[pair]
+    fastest = -1e300
+    for i in range(points):
+        if t.touch.gap[i] <= within:
+            ax, ay = velocity_at(t.bodies, a, time, t.touch.x[i], t.touch.y[i])
+            bx, by = velocity_at(t.bodies, b, time, t.touch.x[i], t.touch.y[i])
+            speed = (ax - bx) * t.touch.normal_x[0] + (ay - by) * t.touch.normal_y[0]
+            if speed > fastest:
+                fastest = speed
+    return fastest
+
+
+def search(t: Tables, pair: int, start: float, end: float, bound: float) -> None:
+    """Find the meeting of any two shapes whose surfaces move no faster than `bound` (m/s)."""
+    time = start
+    gap = gap_at(t, pair, start)
+    if gap > bound * (end - start):
+        return
+    tiny = ZERO_GAP * t.pairs.size[pair]
+    inner = t.bodies.inner[t.pairs.a[pair]] + t.bodies.inner[t.pairs.b[pair]]
+    piece = 0.25 * inner / bound if bound > 0.0 else end - start
+    if gap <= tiny:
+        speed = approach_at(t, pair, start)
+        if speed > STILL:
+            meet(t, pair, start, speed)
+            return
+        time = start + flight(t, pair, -speed, piece)
+        if time >= end:
+            return
+        gap = gap_at(t, pair, time)
+        if gap <= tiny:  # they slide or turn on each other
+            speed = approach_at(t, pair, time)
+            if speed > STILL:
+                meet(t, pair, time, speed)
+                return
+    while time < end:
+        step = gap / bound if gap > piece * bound else piece
+        later = time + step if time + step < end else end
+        after = gap_at(t, pair, later)
+        if after < 0.0:
+            if gap > 0.0:
+                later = root(t, pair, time, gap, later, after)
+            speed = approach_at(t, pair, later)
+            if speed > STILL:
+                meet(t, pair, later, speed)
+                return
+        time = later
+        gap = after
+
+
+def flight(t: Tables, pair: int, speed: float, piece: float) -> float:
+    """Time (s) that two bodies, separating at `speed` (m/s), surely fly apart: to the apex if
+    something drives them back together, else a `piece`; the normal is that in `Touch`.
+    """
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    fall = (t.bodies.path_x[a] - t.bodies.path_x[b]) * t.touch.normal_x[0] + (
+        t.bodies.path_y[a] - t.bodies.path_y[b]
+    ) * t.touch.normal_y[0]
+    if fall * piece > speed:
+        return speed / fall
+    return piece
+
+
+def root(t: Tables, pair: int, before: float, gap: float, after: float, overlap: float) -> float:
+    """The time at which the gap is zero, between one where it is `gap` and one of `overlap`."""
+    enough = 1e-15 * t.pairs.size[pair]
+    kept = 0
+    time = after
+    for _ in range(60):
+        time = before + (after - before) * (gap / (gap - overlap))
+        if time <= before or time >= after:
+            time = (before + after) / 2.0
+            if time <= before or time >= after:
+                return before
+        now = gap_at(t, pair, time)
+        if now > 0.0:
+            before = time
+            gap = now
+            if now <= enough:
+                return time
+            if kept == 1:
+                overlap /= 2.0
+            kept = 1
+        else:
+            after = time
+            overlap = now
+            if now >= -enough:
+                return time
+            if kept == -1:
+                gap /= 2.0
+            kept = -1
+    return time
+
+
+def notice_passing(t: Tables, pair: int) -> None:
+    """Let through a one-sided wall what comes from behind; stop it again once it is through."""
+    pairs = t.pairs
+    a = pairs.a[pair]
+    b = pairs.b[pair]
+    wall = a if t.bodies.one_sided[a] == 1 else b
+    if t.bodies.one_sided[wall] == 0:
+        return
+    body = b if wall == a else a
+    place(t.bodies, t.corners, body, t.bodies.clock[body])
+    first = t.bodies.first[wall]
+    above = t.corners.world_normal_x[first] * (
+        t.corners.world_x[first] - t.bodies.here_x[body]
+    ) + t.corners.world_normal_y[first] * (t.corners.world_y[first] - t.bodies.here_y[body])
+    if above < 0.0:  # the first side of a wall is the negative one
+        pairs.state[pair] = PASSING
+    elif pairs.state[pair] == PASSING and gap_between(t, pair) > 0.0:
+        pairs.state[pair] = FREE

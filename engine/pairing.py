@@ -1,0 +1,122 @@
+"""The list of pairs between two uses of the kernels: made anew, carried over, cut."""
+
+from typing import Any
+
+import numpy as np
+
+from engine.broadphase import fit_boxes, sort, sweep
+from engine.settings import Rule
+from engine.tables import (
+    RESTING,
+    Contacts,
+    Links,
+    Pairs,
+    Tables,
+    allocate,
+    arrays,
+    grow,
+    views,
+)
+
+CARRIED_OVER = ("state", "points", "carried", "part")
+"""Columns of `Pairs` that a pair keeps when the list is made anew."""
+
+
+def pair_up(
+    t: Tables, count: int, pair_count: int, dt: float, restitution: Rule, friction: Rule
+) -> tuple[Tables, int]:
+    """List the pairs that may touch within `dt` seconds; return the tables and their number."""
+    fit_boxes(t, count, dt)
+    sort(t.bodies, count)
+    room = max(64, 4 * count)
+    a: Any = np.zeros(room, np.int64)
+    b: Any = np.zeros(room, np.int64)
+    found = sweep(t.bodies, count, memoryview(a), memoryview(b))
+    if found > room:
+        a, b = np.zeros(found, np.int64), np.zeros(found, np.int64)
+        sweep(t.bodies, count, memoryview(a), memoryview(b))
+    a, b = a[:found], b[:found]
+    sorted_rows = np.lexsort((b, a))
+    a, b = a[sorted_rows], b[sorted_rows]
+    room = len(t.pairs.a)
+    while room < found:
+        room *= 2
+    pairs, contacts = allocate(Pairs, room), allocate(Contacts, 2 * room)
+    np.asarray(pairs.a)[:found], np.asarray(pairs.b)[:found] = a, b
+    carry_over(t, pair_count, pairs, contacts, found)
+    reach, free = np.asarray(t.bodies.reach), np.asarray(t.bodies.inverse_mass) > 0.0
+    wide = np.where(free, reach, np.inf)
+    np.asarray(pairs.size)[:found] = np.minimum(wide[a], wide[b])
+    t = t._replace(pairs=views(pairs), contacts=views(contacts), links=links(t, a, b, count))
+    mix(t, found, restitution, friction)
+    return t, found
+
+
+def carry_over(t: Tables, pair_count: int, pairs: Pairs, contacts: Contacts, found: int) -> None:
+    """Copy what known pairs remember into a new list."""
+    old = keys(t.pairs, pair_count)
+    new = keys(pairs, found)
+    at = np.searchsorted(old, new)
+    at[at == len(old)] = 0
+    known = np.flatnonzero(old[at] == new) if len(old) else np.zeros(0, np.int64)
+    source = at[known]
+    for name in CARRIED_OVER:
+        np.asarray(getattr(pairs, name))[known] = np.asarray(getattr(t.pairs, name))[source]
+    for before, after in zip(arrays(t.contacts), arrays(contacts), strict=True):
+        after[2 * known], after[2 * known + 1] = before[2 * source], before[2 * source + 1]
+
+
+def keys(pairs: Pairs, pair_count: int) -> Any:
+    """One number for each pair, in the order of the list."""
+    return (np.asarray(pairs.a)[:pair_count] << 32) | np.asarray(pairs.b)[:pair_count]
+
+
+def links(t: Tables, a: Any, b: Any, count: int) -> Links:
+    """List the pairs of each body, and say in `Bodies` where they stand."""
+    ends = np.concatenate((a, b))
+    table = allocate(Links, max(1, len(ends)))
+    np.asarray(table.pair)[: len(ends)] = np.argsort(ends, kind="stable") % max(1, len(a))
+    number = np.bincount(ends, minlength=count)[:count]
+    np.asarray(t.bodies.links)[:count] = number
+    np.asarray(t.bodies.first_link)[:count] = np.cumsum(number) - number
+    return views(table)
+
+
+def mix(t: Tables, pair_count: int, restitution: Rule, friction: Rule) -> None:
+    """Give each pair its coefficients by the rules of the world."""
+    bodies, pairs = t.bodies, t.pairs
+    for pair in range(pair_count):
+        a, b = pairs.a[pair], pairs.b[pair]
+        pairs.restitution[pair] = restitution(bodies.restitution[a], bodies.restitution[b])
+        pairs.friction[pair] = friction(bodies.friction[a], bodies.friction[b])
+
+
+def forget(t: Tables, pair_count: int, row: int) -> int:
+    """Drop the pairs of a body that leaves; return how many are left."""
+    a, b = np.asarray(t.pairs.a)[:pair_count], np.asarray(t.pairs.b)[:pair_count]
+    kept = np.flatnonzero((a != row) & (b != row))
+    for column in arrays(t.pairs):
+        column[: len(kept)] = column[kept]
+    for column in arrays(t.contacts):
+        column[: 2 * len(kept)] = np.stack((column[2 * kept], column[2 * kept + 1]), 1).ravel()
+    for rows in (a[: len(kept)], b[: len(kept)]):
+        rows[rows > row] -= 1
+    return len(kept)
+
+
+def make_room_for_impacts(t: Tables) -> Tables:
+    """Double the table of impacts."""
+    return t._replace(impacts=views(grow(t.impacts, 2 * len(t.impacts.a))))
+
+
+def resting_columns(t: Tables, pair_count: int) -> list[Any]:
+    """Copies of what the resting pairs remember, for the digest of a world."""
+    state = np.asarray(t.pairs.state)[:pair_count]
+    at = np.flatnonzero(state == RESTING)
+    columns = [np.asarray(getattr(t.pairs, name))[at] for name in ("a", "b", "points", "carried")]
+    for name in ("normal_impulse", "tangent_impulse"):
+        column = np.asarray(getattr(t.contacts, name))
+        for point in (0, 1):
+            used = np.asarray(t.pairs.points)[at] > point
+            columns.append(np.where(used, column[2 * at + point], 0.0))
+    return columns

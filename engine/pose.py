@@ -1,0 +1,57 @@
+"""Newton's first law: where a body is at a time, if nothing else happens to it."""
+
+import math
+
+from engine.tables import Bodies, Corners
+
+
+def place(bodies: Bodies, corners: Corners, row: int, time: float) -> None:
+    """Put the corners of a body where they are at `time` of the present part of the tick (s)."""
+    if bodies.inverse_mass[row] == 0.0:
+        return
+    passed = time - bodies.clock[row]
+    half = passed * passed / 2.0
+    x = bodies.x[row] + bodies.vx[row] * passed + bodies.path_x[row] * half
+    y = bodies.y[row] + bodies.vy[row] * passed + bodies.path_y[row] * half
+    bodies.here_x[row] = x
+    bodies.here_y[row] = y
+    count = bodies.corners[row]
+    if count == 1:
+        return
+    angle = bodies.angle[row] + bodies.spin[row] * passed + bodies.path_spin[row] * half
+    cos = math.cos(angle)
+    sin = math.sin(angle)
+    first = bodies.first[row]
+    for i in range(first, first + count):
+        local_x = corners.x[i]
+        local_y = corners.y[i]
+        corners.world_x[i] = x + cos * local_x - sin * local_y
+        corners.world_y[i] = y + sin * local_x + cos * local_y
+        local_x = corners.normal_x[i]
+        local_y = corners.normal_y[i]
+        corners.world_normal_x[i] = cos * local_x - sin * local_y
+        corners.world_normal_y[i] = sin * local_x + cos * local_y
+
+
+def advance(bodies: Bodies, row: int, time: float) -> None:
+    """Move a body along its path to `time` of the present part of the tick (s)."""
+    passed = time - bodies.clock[row]
+    bodies.clock[row] = time
+    if passed == 0.0 or bodies.inverse_mass[row] == 0.0:
+        return
+    half = passed * passed / 2.0
+    bodies.x[row] += bodies.vx[row] * passed + bodies.path_x[row] * half
+    bodies.y[row] += bodies.vy[row] * passed + bodies.path_y[row] * half
+    bodies.angle[row] += bodies.spin[row] * passed + bodies.path_spin[row] * half
+    bodies.vx[row] += bodies.path_x[row] * passed
+    bodies.vy[row] += bodies.path_y[row] * passed
+    bodies.spin[row] += bodies.path_spin[row] * passed
+
+
+def velocity_at(bodies: Bodies, row: int, time: float, x: float, y: float) -> tuple[float, float]:
+    """Velocity at `time` (s) of the point (x, y) of a placed body (m/s)."""
+    passed = time - bodies.clock[row]
+    spin = bodies.spin[row] + bodies.path_spin[row] * passed
+    vx = bodies.vx[row] + bodies.path_x[row] * passed - spin * (y - bodies.here_y[row])
+    vy = bodies.vy[row] + bodies.path_y[row] * passed + spin * (x - bodies.here_x[row])
+    return vx, vy

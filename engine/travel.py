@@ -1,0 +1,250 @@
+"""One tick, cut into parts: free flight and impacts in one, resting contacts in several.
+
+While nothing rests, the tick is one part. Else parts have the length of a substep. A part ends
+early when two bodies come to rest on each other, or when a body leaves the box for which the list
+of pairs holds.
+"""
+
+from engine.contacts import relax
+from engine.impacts import strike
+from engine.meeting import approach_at, find_meeting
+from engine.pose import advance
+from engine.resting import KEEPING, OVERLAP, count_holds, explained_speed, hold, settle
+from engine.settings import EXPLICIT_EULER, SEMI_IMPLICIT_EULER
+from engine.tables import FREE, NEVER, RESTING, Bodies, Tables
+
+DONE, CROWDED, ESCAPED = 0, 1, 2
+"""Why `travel` returns: the tick is over; the table of impacts is full; a body left its box."""
+
+MOST = 1e100
+"""Numbers beyond this (SI units) are those of a world that diverged."""
+
+TOGETHER = 1e-12
+"""Meetings closer in time than this happen at once (s): the fastest is then first."""
+
+
+def begin(t: Tables, count: int, pair_count: int, shortest: float) -> None:
+    """Start a tick: find what rests; let the others move with their integrator's lead."""
+    bodies = t.bodies
+    for row in range(count):
+        bodies.clock[row] = 0.0
+    settled = settle(t, count, pair_count, shortest)
+    count_holds(t, count, settled)
+    for row in range(count):
+        if bodies.held[row] > 0:
+            bodies.lead_x[row] = bodies.lead_y[row] = bodies.lead_spin[row] = 0.0
+        bodies.vx[row] += bodies.lead_x[row]
+        bodies.vy[row] += bodies.lead_y[row]
+        bodies.spin[row] += bodies.lead_spin[row]
+
+
+def end(t: Tables, count: int, integrator: int, dt: float) -> None:
+    """End a tick: take the lead back.
+
+    The lead of the two Euler methods is a property of a flight, not of a tick: one that ends in
+    rest keeps the velocity of the position, and one that begins gets its lead.
+    """
+    bodies = t.bodies
+    lead = 0.0
+    if integrator == SEMI_IMPLICIT_EULER:
+        lead = dt / 2.0
+    elif integrator == EXPLICIT_EULER:
+        lead = -dt / 2.0
+    for row in range(count):
+        if bodies.inverse_mass[row] > 0.0:
+            if lead != 0.0:
+                flies = lead if bodies.held[row] == 0 else 0.0
+                bodies.lead_x[row] = bodies.ax[row] * flies
+                bodies.lead_y[row] = bodies.ay[row] * flies
+                bodies.lead_spin[row] = bodies.aspin[row] * flies
+            bodies.vx[row] -= bodies.lead_x[row]
+            bodies.vy[row] -= bodies.lead_y[row]
+            bodies.spin[row] -= bodies.lead_spin[row]
+
+
+def travel(
+    t: Tables, count: int, pair_count: int, now: float, dt: float, substep: float, limit: int
+) -> tuple[int, float]:
+    """Move all bodies from `now` to `dt`, both since the tick began (s).
+
+    Returns `DONE`, `CROWDED` or `ESCAPED`, and the time reached. After `limit` impacts in one tick
+    the others are taken as plastic, after twice as many as done: a ball that is squeezed between a
+    hammer and an anvil bounces without end.
+    """
+    bodies = t.bodies
+    while now < dt:
+        resting = settle(t, count, pair_count, substep)
+        part = dt - now
+        if resting > 0 and substep < part * (1.0 - 1e-9):
+            part = substep
+        for row in range(count):
+            bodies.clock[row] = 0.0
+            bodies.path_x[row] = bodies.ax[row]
+            bodies.path_y[row] = bodies.ay[row]
+            bodies.path_spin[row] = bodies.aspin[row]
+        held = hold(t, count, resting, part, substep) if resting > 0 else 0
+        status, reached = meet_all(t, pair_count, held, now, part, dt, substep, limit)
+        for row in range(count):
+            advance(bodies, row, reached)
+            bodies.clock[row] = 0.0
+        if held > 0:
+            relax(t, held, count, part)
+        now = dt if reached >= part and part == dt - now else now + reached
+        if status != DONE:
+            return status, now
+    settled = 0
+    for pair in range(pair_count):
+        if t.pairs.state[pair] == RESTING:
+            t.pairs.resting[settled] = pair
+            settled += 1
+    count_holds(t, count, settled)
+    return DONE, dt
+
+
+def meet_all(
+    t: Tables,
+    pair_count: int,
+    held: int,
+    now: float,
+    part: float,
+    dt: float,
+    substep: float,
+    limit: int,
+) -> tuple[int, float]:
+    """Let all impacts of a part happen in order of time; return the status and the time reached."""
+    pairs = t.pairs
+    written = t.impacts.written
+    queued = 0
+    reached = 0.0
+    escaped = False
+    for pair in range(pair_count):
+        pairs.queued[pair] = 0
+        find_meeting(t, pair, 0.0, part)
+        queued = enqueue(t, pair, queued)
+    while queued > 0:
+        at = earliest(t, queued)
+        pair = pairs.queue[at]
+        time = pairs.meeting[pair]
+        if escaped and time > reached + TOGETHER:
+            return ESCAPED, reached
+        reached = time
+        if written[0] >= len(t.impacts.a):
+            return CROWDED, time
+        queued -= 1
+        pairs.queue[at] = pairs.queue[queued]
+        pairs.queued[pair] = 0
+        pairs.meeting[pair] = NEVER
+        before = written[0]
+        if written[1] < 2 * limit:
+            rests = strike(t, pair, time, substep, 0.0, written[1] >= limit)
+            if written[0] > before:
+                t.impacts.time[before] += now
+        else:
+            rests = True
+            pairs.state[pair] = RESTING
+        written[1] += 1
+        if rests:
+            pairs.points[pair] = 0
+            if held == 0 and time < part:
+                return DONE, time
+        a = pairs.a[pair]
+        b = pairs.b[pair]
+        left = dt - now - time
+        escaped = escaped or has_escaped(t, a, left) or has_escaped(t, b, left)
+        queued = look_again(t, a, time, part, queued, written[1] < 2 * limit)
+        queued = look_again(t, b, time, part, queued, written[1] < 2 * limit)
+    return (ESCAPED, reached) if escaped else (DONE, part)
+
+
+def enqueue(t: Tables, pair: int, queued: int) -> int:
+    """Put a pair that meets in the queue, if it does not stand there; return the queue's length."""
+    if t.pairs.meeting[pair] < NEVER and t.pairs.queued[pair] == 0:
+        t.pairs.queue[queued] = pair
+        t.pairs.queued[pair] = 1
+        queued += 1
+    return queued
+
+
+def earliest(t: Tables, queued: int) -> int:
+    """Place in the queue of the pair that meets first; of those at once, the fastest."""
+    pairs = t.pairs
+    best = 0
+    for at in range(1, queued):
+        pair = pairs.queue[at]
+        first = pairs.queue[best]
+        if pairs.meeting[pair] < pairs.meeting[first]:
+            best = at
+    start = pairs.meeting[pairs.queue[best]]
+    for at in range(queued):
+        pair = pairs.queue[at]
+        first = pairs.queue[best]
+        if pair != first and pairs.meeting[pair] <= start + TOGETHER:
+            faster = pairs.speed[pair] - pairs.speed[first]
+            if faster > 0.0 or (faster == 0.0 and pair < first):
+                best = at
+    return best
+
+
+def look_again(t: Tables, row: int, time: float, part: float, queued: int, strict: bool) -> int:
+    """Find anew, after an impact at `time` (s), when the pairs of a body meet."""
+    pairs = t.pairs
+    first = t.bodies.first_link[row]
+    for link in range(first, first + t.bodies.links[row]):
+        pair = t.links.pair[link]
+        if pairs.state[pair] == FREE:
+            find_meeting(t, pair, time, part)
+        elif pairs.state[pair] == RESTING and strict:
+            pairs.meeting[pair] = NEVER
+            speed = approach_at(t, pair, time)
+            near = t.touch.gap[0] <= OVERLAP * pairs.size[pair]
+            if near and speed > explained_speed(t, pair, part):
+                pairs.meeting[pair] = time
+                pairs.speed[pair] = speed
+        queued = enqueue(t, pair, queued)
+        if pairs.queued[pair] == 1 and pairs.meeting[pair] == NEVER:
+            queued = dequeue(t, pair, queued)
+    return queued
+
+
+def dequeue(t: Tables, pair: int, queued: int) -> int:
+    """Take a pair out of the queue; return the queue's length."""
+    for at in range(queued):
+        if t.pairs.queue[at] == pair:
+            t.pairs.queue[at] = t.pairs.queue[queued - 1]
+            t.pairs.queued[pair] = 0
+            return queued - 1
+    return queued
+
+
+def has_escaped(t: Tables, row: int, lasts: float) -> bool:
+    """Whether a body may leave its box before the tick is over, in `lasts` seconds."""
+    bodies = t.bodies
+    if bodies.inverse_mass[row] == 0.0:
+        return False
+    way_x, way_y = farthest(t, row, lasts)
+    return (
+        bodies.x[row] - way_x < bodies.low_x[row]
+        or bodies.x[row] + way_x > bodies.high_x[row]
+        or bodies.y[row] - way_y < bodies.low_y[row]
+        or bodies.y[row] + way_y > bodies.high_y[row]
+    )
+
+
+def farthest(t: Tables, row: int, lasts: float) -> tuple[float, float]:
+    """How far from its centre a body may be in any direction within `lasts` seconds (m)."""
+    bodies = t.bodies
+    reach = bodies.reach[row] * (1.0 + 2.0 * KEEPING)  # pairs that rest stay listed
+    x = (abs(bodies.vx[row]) + abs(bodies.ax[row]) * lasts) * lasts
+    y = (abs(bodies.vy[row]) + abs(bodies.ay[row]) * lasts) * lasts
+    return reach + x, reach + y
+
+
+def runaway(bodies: Bodies, count: int, dt: float) -> int:
+    """Row of the first body whose pose, or where it goes in `dt`, no number can hold; -1: none."""
+    for row in range(count):
+        x = bodies.x[row] + (bodies.vx[row] + bodies.ax[row] * dt) * dt
+        y = bodies.y[row] + (bodies.vy[row] + bodies.ay[row] * dt) * dt
+        turn = bodies.angle[row] + (bodies.spin[row] + bodies.aspin[row] * dt) * dt
+        if not (-MOST < x < MOST and -MOST < y < MOST and -MOST < turn < MOST):
+            return row
+    return -1
