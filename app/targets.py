@@ -6,6 +6,7 @@ from typing import Literal
 from app.scenario.mistakes import quote, suggest
 from screens.kit.geometry import Point, Rect
 from screens.lesson import Lesson, Widget
+from screens.lessons import LESSONS
 
 Target = str | Point
 """A widget's id, a label a pupil can read, or a place in dp."""
@@ -35,7 +36,7 @@ def resolve(lesson: Lesson, target: Target) -> Point:
     widgets = lesson.widgets()
     named = [widget for widget in widgets if widget.id == target] or _labelled(widgets, target)
     if not named:
-        raise _missing(widgets, target)
+        raise _missing(lesson.id, widgets, target)
     free = [(widget, at) for widget in named if (at := _free_point(widgets, widget)) is not None]
     if not free:
         raise _covered(widgets, named[-1])
@@ -85,12 +86,13 @@ def _free_point(widgets: Sequence[Widget], widget: Widget) -> Point | None:
     return None
 
 
-def _missing(widgets: Sequence[Widget], target: str) -> NoTarget:
+def _missing(screen: str, widgets: Sequence[Widget], target: str) -> NoTarget:
     words = [widget.id for widget in widgets] + [widget.label for widget in widgets if widget.label]
+    sentence = f"there is no {quote(target)} on the screen now"
+    if screen in LESSONS and target in LESSONS[screen].WIDGETS:
+        return NoTarget("missing", sentence, "it is there while a dialog is open: open it first")
     words = list(dict.fromkeys(words))
-    return NoTarget(
-        "missing", f"there is no {quote(target)} on the screen now", suggest(target, words)
-    )
+    return NoTarget("missing", sentence, suggest(target, words))
 
 
 def _covered(widgets: Sequence[Widget], widget: Widget) -> NoTarget:

@@ -7,6 +7,7 @@ from functools import cache
 from importlib.resources import files
 from math import inf
 
+from app.gestures import FIELD
 from app.scenario.kinds import Number
 from app.scenario.mistakes import Refused, quote, refuse, suggest
 from app.scenario.nodes import ScalarNode
@@ -15,9 +16,6 @@ from screens.lessons import LESSONS
 
 SCREENS: tuple[str, ...] = tuple(LESSONS)
 """The lessons' ids, in their order."""
-
-FIELD = ".field"
-"""What the id of a field has behind the name that a scenario gives it."""
 
 NAVIGATION = "nav."
 """How the ids of the widgets begin that lead to another screen."""

@@ -46,6 +46,8 @@ class StepKind:
     build: Callable[[Place, Any], model.Step]
     bare: bool = False
     """Whether it may stand without a value."""
+    points_at_value: bool = False
+    """Whether its place is that of the value rather than of the key."""
 
 
 @dataclass(frozen=True)
@@ -98,7 +100,8 @@ class StepsKind:
                 f"'{name.text}' needs a value",
                 f"it must be {kind.kind.name}",
             )
-        return kind.build(name.place, kind.kind.read(value, name.text))
+        place = value.place if kind.points_at_value else name.place
+        return kind.build(place, kind.kind.read(value, name.text))
 
     def bare(self, node: ScalarNode) -> model.Step:
         """A step without a value."""
@@ -162,7 +165,9 @@ def _doing(context: Context) -> dict[str, StepKind]:
         ),
     }
     return {
-        "tap": StepKind(target, "Touch a widget, by id, label or place.", model.Tap),
+        "tap": StepKind(
+            target, "Touch a widget, by id, label or place.", model.Tap, points_at_value=True
+        ),
         "drag": StepKind(
             Record("a mapping with 'from' and 'to'", drag, as_given),
             "Pull from one place to another in a straight line.",
@@ -219,6 +224,7 @@ def _showing(context: Context) -> dict[str, StepKind]:
             ScreenshotKind(context.folders),
             "Write the picture as a PNG, from the working folder.",
             model.Screenshot,
+            points_at_value=True,
         ),
         "speed": StepKind(
             Number(0.05, 20),

@@ -213,7 +213,7 @@ Step = (
     | Repeat
     | Run
 )
-"""One entry of `steps:`; `place` is where its key stands."""
+"""One entry of `steps:`; `place` is where its key stands, or what is tapped, or the path."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -175,8 +175,7 @@ class _Builder:
                     self.note(event, "anchor", "an anchor is not allowed")
                 self.node(event)
             case MappingEndEvent() | SequenceEndEvent():
-                opened = self.open.pop()
-                self.put(self.closed(opened))
+                self.put(self.closed(self.open.pop(), event))
             case _:
                 pass
 
@@ -196,11 +195,15 @@ class _Builder:
                     f"lists and mappings are nested more than {DEEPEST} deep",
                 ),
             )
-        self.open.append(_Open(self.place(event), isinstance(event, MappingStartEvent)))
+        is_mapping = isinstance(event, MappingStartEvent)
+        self.open.append(_Open(self.place(event), is_mapping, bool(event.flow_style)))
 
-    def closed(self, opened: "_Open") -> Node:
+    def closed(self, opened: "_Open", end: Event) -> Node:
+        place = opened.place
+        if opened.is_flow and end.end_mark.line == place.line - 1:
+            place = replace(place, length=end.end_mark.column + 1 - place.column)
         if not opened.is_mapping:
-            return ListNode(opened.place, tuple(opened.values))
+            return ListNode(place, tuple(opened.values))
         entries: dict[str, tuple[ScalarNode, Node]] = {}
         for key, value in zip(opened.values[::2], opened.values[1::2], strict=True):
             if not isinstance(key, ScalarNode):
@@ -217,7 +220,7 @@ class _Builder:
                 )
             else:
                 entries[key.text] = (key, value)
-        return MapNode(opened.place, tuple(entries.values()))
+        return MapNode(place, tuple(entries.values()))
 
     def put(self, node: Node) -> None:
         (self.open[-1].values if self.open else self.documents).append(node)
@@ -257,6 +260,8 @@ class _Open:
 
     place: Place
     is_mapping: bool
+    is_flow: bool
+    """Whether it is written in brackets."""
     values: list[Node] = field(default_factory=list)
 
 

@@ -4,8 +4,6 @@ Taps, drags and typing are carried out, so that one which meets nothing is found
 drawn. Time stands still: what can be touched on a lesson depends on what was touched before.
 """
 
-from screens.lessons import Lessons
-
 from app.gestures import gesture
 from app.scenario.catalogue import of_screen
 from app.scenario.mistakes import Mistake
@@ -23,6 +21,7 @@ from app.scenario.model import (
 )
 from app.targets import NoTarget
 from screens.kit import events
+from screens.lessons import Lessons
 
 OFTEN = 2
 """How often a repetition is tried at most: what goes wrong the second time goes wrong always."""
@@ -35,6 +34,7 @@ def rehearse(scenario: Scenario, lessons: Lessons) -> list[Mistake]:
     """
     rehearsal = _Rehearsal(lessons)
     rehearsal.do(scenario.steps)
+    rehearsal.end()
     return list(dict.fromkeys(rehearsal.mistakes))
 
 
@@ -44,6 +44,9 @@ class _Rehearsal:
     def __init__(self, lessons: Lessons) -> None:
         self.lessons = lessons
         self.mistakes: list[Mistake] = []
+        self.tilts: list[Tilt] = []
+        self.felt = False
+        """Whether a lesson was shown that feels a tilt; one that is shown later feels it too."""
         self.sure = True
         """Until something could not be done; from then on only what is wrong anyway is told."""
 
@@ -63,6 +66,7 @@ class _Rehearsal:
                     self.look(step)
                 case _:
                     pass
+            self.felt |= "tilt.x" in of_screen(self.lessons.id).probes
 
     def touch(self, step: Tap | Drag | Fill) -> None:
         try:
@@ -75,14 +79,17 @@ class _Rehearsal:
             self.sure = False
 
     def tilt(self, step: Tilt) -> None:
-        angles = step.to or step.curve[-1][1:]
-        self.lessons.update(events.Tilt(*angles))
-        screen = self.lessons.lesson.id
-        if self.sure and "tilt.x" not in of_screen(screen).probes:
-            self.note(step, "no-effect", f"the screen '{screen}' does not feel a tilt")
+        self.tilts.append(step)
+        self.lessons.update(events.Tilt(*(step.to or step.curve[-1][1:])))
+
+    def end(self) -> None:
+        if self.sure and not self.felt:
+            for step in self.tilts:
+                sentence = f"the screen '{self.lessons.id}' does not feel a tilt"
+                self.note(step, "no-effect", sentence, "'reactions' does")
 
     def look(self, step: Expect | Until) -> None:
-        screen = self.lessons.lesson.id
+        screen = self.lessons.id
         if self.sure and not of_screen(screen).has_probe(step.probe):
             sentence = f"the screen '{screen}', shown by then, has no probe '{step.probe}'"
             self.note(step, "unknown-probe", sentence)

@@ -8,6 +8,7 @@ from screens.lesson import Widget
 class Screen:
     """A lesson with nothing but widgets."""
 
+    id = "inertia"
     size = Size(360, 640)
 
     def __init__(self, *widgets):
@@ -61,6 +62,11 @@ def test_a_widget_that_is_not_there_names_the_nearest():
         "there is no 'aply' on the screen now",
         "did you mean 'apply'?",
     )
+
+
+def test_a_widget_of_a_dialog_that_is_not_open():
+    reason, _, help = refusal(SCREEN, "force.arrow")
+    assert (reason, help) == ("missing", "it is there while a dialog is open: open it first")
 
 
 def test_a_disabled_widget():
