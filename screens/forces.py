@@ -5,11 +5,13 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from engine import Body, Collision, Force, Polygon, Push, Vector, World
-from screens.kit import probes
+from screens.kit import arrows, page, probes, theme
+from screens.kit.bodies import conceal, opacity
+from screens.kit.canvas import Canvas
 from screens.kit.cart_dialog import ACCELERATION, MASS, CartDialog
 from screens.kit.events import Event, Resize, Tap, Tick
-from screens.kit.geometry import Rect, Size
-from screens.kit.layout import GAP, layout, pair, rows
+from screens.kit.geometry import Point, Rect, Size
+from screens.kit.layout import GAP, Layout, columns, layout, pair, rows
 from screens.kit.view import Room, View
 from screens.kit.widgets import NAVIGATION, navigation, touched
 from screens.kit.words import Words
@@ -26,6 +28,18 @@ LANES = {"a": 1.5, "b": -1.5}
 """Height of the lanes (y, m). The carts move along x and never meet."""
 LEFT, RIGHT = -0.6, 6.4
 """What of a lane is in sight (x, m)."""
+MARK = TRACK + CART / 2
+"""Where the end mark is drawn: the front of a cart passes it when its middle is at TRACK (x, m)."""
+PER_NEWTON, PER_SPEED = 0.3, 0.25
+"""Lengths of arrows: m per N (less for both carts if one is too long), m per m/s."""
+LONGEST = 1.8
+"""Greatest length of an arrow (m): it fits beside a cart that is at the mark."""
+INSET = 12.0
+"""Between the words in a lane and its sides (dp)."""
+STRONG = theme.Style(12, theme.SEMIBOLD, 16)
+"""How the force of a lane is set."""
+WAITING = 0.45
+"""Opacity of the arrow of a force that does not act yet."""
 
 
 class Cart:
@@ -146,10 +160,7 @@ class Forces:
         """The navigation, the lanes, the buttons, and the dialog over them if it is open."""
         area, words = layout(self.size), self.words
         reset, apply = pair(area)
-        waits = self.begun is None
-        start = Widget(
-            "forces.apply", apply, words(f"forces.{'apply' if waits else 'running'}"), waits
-        )
+        start = Widget("forces.apply", apply, words("forces.apply"), self.begun is None)
         below = [
             *navigation(area, words),
             *(Widget(f"cart.{lane}", self.lane(lane), words(f"forces.{lane}")) for lane in LANES),
@@ -186,6 +197,85 @@ class Forces:
 
     def draw(self, surface: "Surface") -> None:
         """Draw what is."""
+        area = layout(self.size)
+        chosen = tuple((cart.body.mass, cart.acceleration) for cart in self.carts.values())
+        surface.static((self.id, self.size, self.begun is None, chosen), self._draw_page)
+        for cart in self.carts.values():
+            self._draw_cart(surface, cart)
+        for place, cart in zip(_readouts(area), self.carts.values(), strict=True):
+            speed, time = columns(place, 2)
+            shown = page.measured(cart.body.speed, self.words("unit.speed"), 2)
+            page.value(surface, speed, shown, theme.YELLOW)
+            page.value(surface, time, page.measured(self._time(cart), self.words("unit.s"), 2))
+        if self.dialog:
+            self.dialog.draw(surface)
+
+    def _draw_page(self, surface: "Surface") -> None:
+        """Draw all that stays as it is from frame to frame."""
+        area = layout(self.size)
+        page.page(surface, area, self.words, self.id)
+        for cart in self.carts.values():
+            self._draw_lane(surface, cart)
+        for place, lane in zip(_readouts(area), LANES, strict=True):
+            page.heading(surface, place, self.words(f"forces.{lane}"))
+        buttons = {widget.id: widget for widget in self.widgets()}
+        page.outlined_button(surface, buttons["forces.reset"])
+        page.filled_button(surface, buttons["forces.apply"])
+
+    def _draw_lane(self, surface: "Surface", cart: Cart) -> None:
+        """An empty lane: its grid, the end mark, and what was chosen for its cart."""
+        words, rect, view = self.words, self.lane(cart.lane), self.view(cart.lane)
+        canvas = Canvas(surface, rect, view.room)
+        canvas.background(bar=cart.lane == "b")
+        mark = view.to_screen((MARK, LANES[cart.lane])).x
+        top, bottom = rect.y + 30, rect.bottom - 8
+        surface.line((mark, top), (mark, bottom), 2, theme.WALL, dash=(4, 4))
+        y = rect.y + 17
+        mass = words("forces.mass", mass=page.chosen(cart.body.mass, words("unit.kg")))
+        unit = words("unit.acceleration")
+        rate = words("forces.acceleration", acceleration=page.chosen(cart.acceleration, unit))
+        force = words("forces.force", force=page.chosen(cart.force, words("unit.N")))
+        for text, x in ((mass, rect.x + INSET), (rate, rect.x + INSET + 76)):
+            surface.text(text, (x, y), theme.BODY, theme.TEXT_MEDIUM, valign="middle")
+        at = Point(rect.right - INSET, y)
+        surface.text(force, at, STRONG, theme.ORANGE, align="right", valign="middle")
+
+    def _draw_cart(self, surface: "Surface", cart: Cart) -> None:
+        """A cart with its arrows; once it has passed the mark, the time it took."""
+        words, view, body = self.words, self.view(cart.lane), cart.body
+        canvas = Canvas(surface, view.rect, view.room)
+        canvas.labels.block(Rect(view.rect.x, view.rect.y, view.rect.width, 28.0))
+        front = body.x + CART / 2
+        if front < RIGHT + 2 * CART:
+            mass = page.chosen(body.mass, words("unit.kg"))
+            conceal(canvas, body)
+            canvas.body(body, theme.TEAL, opacity(body.mass, *MASS), mass)
+            reach = body.vx * PER_SPEED * view.scale
+            canvas.arrow((front, body.y - CART / 4), (reach, 0.0), arrows.VELOCITY)
+        if cart.force > 0.0 and cart.finish_time is None:
+            reach = cart.force * self._per_newton() * view.scale
+            faded = WAITING if self.begun is None else 1.0
+            at = (front, body.y + CART / 4)
+            tip = canvas.arrow(at, (reach, 0.0), arrows.FORCE, faded)
+            shown = page.chosen(cart.force, words("unit.N"))
+            canvas.label(shown, Point(tip.x - reach / 2, tip.y), theme.ORANGE)
+        if cart.finish_time is not None:
+            mark = view.to_screen((MARK, LANES[cart.lane]))
+            time = page.measured(cart.finish_time, words("unit.s"), 2)
+            size = canvas.pill_size(time)
+            flag = Rect(mark.x - size.width / 2, view.rect.bottom - 10 - size.height, *size)
+            canvas.pill(time, flag, theme.TEXT)
+
+    def _per_newton(self) -> float:
+        """Length of the arrows of both forces (m per N): the same for both, however strong."""
+        strongest = max(cart.force for cart in self.carts.values())
+        return min(PER_NEWTON, LONGEST / strongest) if strongest > 0.0 else PER_NEWTON
+
+    def _time(self, cart: Cart) -> float:
+        """How long a cart has run, up to the mark (s)."""
+        if cart.finish_time is not None:
+            return cart.finish_time
+        return 0.0 if self.begun is None else self.world.time - self.begun
 
     def _advance(self, dt: float) -> None:
         before = {lane: (cart.body.x, cart.body.vx) for lane, cart in self.carts.items()}
@@ -227,3 +317,8 @@ class Forces:
             cart.stop()
             cart.body.position = Vector(0.0, LANES[lane])
             cart.body.velocity = Vector(0.0, 0.0)
+
+
+def _readouts(area: Layout) -> list[Rect]:
+    """Places of speed and time of the upper and the lower cart."""
+    return columns(area.readouts, 2, 12.0) if area.portrait else rows(area.readouts, 2)

@@ -5,12 +5,13 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from engine import Collision, Force, Polygon, Push, Vector, World
-from screens.kit import hits, probes
-from screens.kit.bodies import enclose
+from screens.kit import arrows, hits, page, probes, theme
+from screens.kit.bodies import enclose, opacity
+from screens.kit.canvas import Canvas
 from screens.kit.dial import STRONGEST, ForceDial
 from screens.kit.events import Event, Resize, Tap, Tick
-from screens.kit.geometry import Rect, Size
-from screens.kit.layout import layout, pair
+from screens.kit.geometry import Point, Rect, Size
+from screens.kit.layout import Layout, layout, pair, rows
 from screens.kit.view import Room, View
 from screens.kit.widgets import NAVIGATION, navigation, seen, touched
 from screens.kit.words import Words
@@ -23,6 +24,14 @@ UPRIGHT, ACROSS = Room(-3.0, -3.25, 3.0, 3.25), Room(-3.75, -3.0, 3.75, 3.0)
 """Rooms for upright and other screens (m); the origin is in the middle, where the body rests."""
 RADIUS = 0.5
 """From the middle of the body to its corners (m)."""
+LIGHT, HEAVY = 0.5, 10.0
+"""Masses between which the body gets more solid to the eye (kg)."""
+PER_NEWTON, PER_SPEED, PER_IMPULSE = 16.0, 36.0, 36.0
+"""Lengths of arrows: dp per N, per m/s, per N s."""
+LONGEST = 110.0
+"""Arrows grow up to this length (dp)."""
+BESIDE = 13.0
+"""How far the arrow of a velocity moves aside for that of a force in the same direction (dp)."""
 TRAIL_STEP, TRAIL_LENGTH = 15, 16
 """A dot of the trail is left every so many ticks, and so many dots are kept."""
 
@@ -129,6 +138,76 @@ class Inertia:
 
     def draw(self, surface: "Surface") -> None:
         """Draw what is."""
+        area = layout(self.size)
+        surface.static((self.id, self.size, bool(self.push)), self._draw_page)
+        canvas = Canvas(surface, self.view.frame, self.room)
+        canvas.labels.block(canvas.bar_room())
+        canvas.trail([at for at in self.trail if math.dist(at, self.body.position) > RADIUS])
+        canvas.body(self.body, theme.TEAL, opacity(self.body.mass, LIGHT, HEAVY))
+        self._draw_vectors(canvas)
+        for place, (_, shown, color) in zip(_readouts(area), self._numbers(), strict=True):
+            page.value(surface, place, shown, color)
+        if self.dialog and isinstance(self.body.shape, Polygon):
+            self.dialog.draw(surface, self.body.shape, self.body.angle, self.body.mass)
+
+    def _draw_page(self, surface: "Surface") -> None:
+        """Draw all that stays as it is from frame to frame."""
+        area = layout(self.size)
+        page.page(surface, area, self.words, self.id)
+        Canvas(surface, self.view.frame, self.room).background()
+        for place, (label, _, _) in zip(_readouts(area), self._numbers(), strict=True):
+            page.heading(surface, place, label)
+        buttons = {widget.id: widget for widget in self.widgets()}
+        page.outlined_button(surface, buttons["force.change"])
+        if self.push:
+            page.outlined_button(surface, buttons["force.toggle"], theme.ORANGE, theme.ORANGE)
+        else:
+            page.filled_button(surface, buttons["force.toggle"])
+
+    def _draw_vectors(self, canvas: Canvas) -> None:
+        """Impulses of the walls, the force while it acts, the velocity; then their labels."""
+        words, now = self.words, self.world.time
+        labels: list[tuple[str, Point, theme.Color, float]] = []
+        for hit in hits.strongest(self.hits, 2):
+            given = hit.impulse if hit.b is self.body else Vector(-hit.impulse.x, -hit.impulse.y)
+            faded = hits.fading(hit, now)
+            reach = hits.reach(given, PER_IMPULSE, LONGEST)
+            tip = canvas.arrow(hit.point, reach, arrows.FORCE, faded)
+            shown = page.measured(hits.size(given), words("unit.impulse"), 2)
+            label = words("inertia.wall", impulse=shown)
+            labels.append((label, tip, theme.ORANGE, faded))
+        velocity = self.body.velocity
+        if self.body.speed * PER_SPEED >= 1.0:
+            edge, aside = canvas.edge(self.body, velocity), self._aside(velocity)
+            scale = canvas.view.scale
+            start = (edge[0] + aside.x / scale, edge[1] + aside.y / scale)
+            tip = canvas.arrow(start, hits.reach(velocity, PER_SPEED, LONGEST), arrows.VELOCITY)
+            shown = "v " + page.measured(self.body.speed, words("unit.speed"), 2)
+            labels.append((shown, tip, theme.YELLOW, 1.0))
+        if self.push and self.force != (0.0, 0.0):
+            start = canvas.edge(self.body, self.force)
+            reach = hits.reach(self.force, PER_NEWTON, LONGEST)
+            tip = canvas.arrow(start, reach, arrows.FORCE)
+            shown = "F " + page.measured(hits.size(self.force), words("unit.N"), 1)
+            labels.append((shown, tip, theme.ORANGE, 1.0))
+        for shown, anchor, color, faded in labels:
+            canvas.label(shown, anchor, color, faded)
+
+    def _numbers(self) -> list[tuple[str, str, theme.Color]]:
+        """Heading, value and colour of the readouts."""
+        words = self.words
+        force = hits.size(self.force) if self.push else 0.0
+        speed, momentum = self.body.speed, self.body.mass * self.body.speed
+        return [
+            (words("inertia.force"), page.measured(force, words("unit.N"), 1), theme.ORANGE),
+            (words("inertia.speed"), page.measured(speed, words("unit.speed"), 2), theme.YELLOW),
+            (
+                words("inertia.momentum"),
+                page.measured(momentum, words("unit.momentum"), 2),
+                theme.TEXT,
+            ),
+            (words("inertia.time"), page.measured(self.world.time, words("unit.s"), 1), theme.TEXT),
+        ]
 
     def _advance(self, dt: float) -> None:
         self.collisions = self.world.step(dt)
@@ -165,3 +244,23 @@ class Inertia:
         left, top = min(at.x for at in corners), min(at.y for at in corners)
         right, bottom = max(at.x for at in corners), max(at.y for at in corners)
         return seen(Rect(left, top, right - left, bottom - top), self.view.frame)
+
+    def _aside(self, velocity: Vector) -> Vector:
+        """How far the velocity's arrow moves to its left, for the force's to be seen (dp)."""
+        if not self.push:
+            return Vector(0.0, 0.0)
+        along = velocity.x * self.force.x + velocity.y * self.force.y
+        sizes = hits.size(velocity) * hits.size(self.force)
+        part = BESIDE * max(along / sizes, 0.0) ** 2 if sizes else 0.0
+        speed = hits.size(velocity)
+        return Vector(-velocity.y / speed * part, velocity.x / speed * part)
+
+
+def _readouts(area: Layout) -> list[Rect]:
+    """Places of force, speed, momentum and time."""
+    if area.portrait:
+        return page.shares(area.readouts, (80.0, 96.0, 104.0, 48.0))
+    upper, lower = rows(area.readouts, 2)
+    force, speed = page.shares(upper, (72.0, 104.0))
+    time, momentum = page.shares(lower, (72.0, 104.0))
+    return [force, speed, momentum, time]

@@ -5,11 +5,13 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from engine import Body, Collision, Force, Particle, Push, Vector, Wall, World
-from screens.kit import hits, probes
-from screens.kit.bodies import enclose
+from screens.kit import arrows, hits, page, probes, theme
+from screens.kit.bodies import conceal, enclose, opacity
+from screens.kit.canvas import Canvas
 from screens.kit.events import Event, Resize, Tap, Tick, Tilt
 from screens.kit.geometry import Point, Rect, Size
-from screens.kit.layout import GAP, TOUCH, Layout, layout, rows
+from screens.kit.layout import GAP, TOUCH, Layout, columns, layout, rows
+from screens.kit.numbers import quantity
 from screens.kit.view import Room, View
 from screens.kit.widgets import NAVIGATION, navigation, touched
 from screens.kit.words import Words
@@ -32,6 +34,22 @@ LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
 """Names of the balls as a pupil sees them; there are no more balls than letters."""
 LIGHTEST, HEAVIEST = 0.125, 16.0
 """Range of the masses that can be tapped, in masses of the first ball."""
+PER_IMPULSE, LONGEST = 32.0, 72.0
+"""Length of the arrow of an impulse (dp per N s), and how long it can get (dp)."""
+ARROWS, LABELS = 6, 3
+"""How many hits at once show their impulses, and how many say how great they are: the strongest."""
+FAINTEST = 0.02
+"""The least impulse that gets a label (N s)."""
+BESIDE = 7.0
+"""How far beside the ball the arrow of the push on a wall is drawn (dp)."""
+TILT = theme.Style(12, theme.MEDIUM, 16)
+"""How the tilt is set."""
+GAUGE = 20.0
+"""Radius of the gauge of the tilt (dp)."""
+FULL_TILT = 45.0
+"""Tilt that brings the point of the gauge to its rim (degrees)."""
+CROSS = 6.0
+"""Half the size of the cross where a ball found no room (dp)."""
 NOTICE = 1.5
 """How long a refused tap is explained (s of the world)."""
 
@@ -146,6 +164,156 @@ class Reactions:
 
     def draw(self, surface: "Surface") -> None:
         """Draw what is."""
+        key = (self.id, self.size, self.ball_mass)
+        surface.static(key, self._draw_page)
+        canvas = Canvas(surface, self.view.frame, self.room)
+        canvas.labels.block(canvas.bar_room())
+        for body in self.world:
+            if isinstance(body.shape, Wall):
+                a, b = (canvas.view.to_screen(end) for end in (body.shape.start, body.shape.end))
+                canvas.labels.block_line(a, b, theme.WALL_WIDTH)
+        shown = hits.strongest(self.hits, ARROWS)
+        for hit in shown:
+            self._draw_impulses(canvas, hit)
+        for ball in self.balls:
+            self._draw_ball(canvas, ball)
+        for hit in hits.strongest(shown, LABELS):
+            self._draw_label(canvas, hit)
+        self._draw_refusal(canvas)
+        self._draw_gauge(surface)
+        self._draw_numbers(surface)
+
+    def _draw_page(self, surface: "Surface") -> None:
+        """Draw all that stays as it is from frame to frame."""
+        area, words = layout(self.size), self.words
+        page.page(surface, area, words, self.id)
+        canvas = Canvas(surface, self.view.frame, self.room)
+        canvas.background()
+        for body in self.world:
+            if isinstance(body.shape, Wall) and body.name[5:].isdigit():
+                canvas.wall(body.shape)
+        _, count, last = _readouts(area)
+        page.heading(surface, count, words("reactions.collisions"))
+        page.heading(surface, last, words("reactions.last"))
+        buttons = {widget.id: widget for widget in self.widgets()}
+        for id in ("ball.lighter", "ball.heavier", "clear"):
+            page.outlined_button(surface, buttons[id])
+        _, _, between, _ = controls(area)
+        middle = between.center
+        surface.text(
+            words("reactions.next"),
+            Point(middle.x, middle.y - 9),
+            theme.SMALL,
+            theme.TEXT_MEDIUM,
+            align="center",
+            valign="middle",
+        )
+        surface.text(
+            page.chosen(self.ball_mass, words("unit.kg")),
+            Point(middle.x, middle.y + 8),
+            theme.VALUE,
+            theme.TEXT,
+            align="center",
+            valign="middle",
+        )
+
+    def _draw_ball(self, canvas: Canvas, ball: Body) -> None:
+        number = self.balls.index(ball)
+        color = theme.BODY_COLORS[number % len(theme.BODY_COLORS)]
+        first = self.chosen["particle.mass"]
+        shade = opacity(ball.mass, LIGHTEST * first, HEAVIEST * first)
+        conceal(canvas, ball)
+        canvas.body(ball, color, shade, LETTERS[number])
+
+    def _draw_impulses(self, canvas: Canvas, hit: Collision) -> None:
+        """What b received, with a solid head, and what a received, with a hollow one."""
+        faded = hits.fading(hit, self.world.time)
+        for body, other, sign, kind in (
+            (hit.b, hit.a, 1.0, arrows.FORCE),
+            (hit.a, hit.b, -1.0, arrows.REACTION),
+        ):
+            impulse = Vector(sign * hit.impulse.x, sign * hit.impulse.y)
+            reach = hits.reach(impulse, PER_IMPULSE, LONGEST)
+            if body.is_wall:
+                start = self._beside(canvas, hit, other, reach)
+            else:
+                start = canvas.edge(body, impulse)
+            canvas.arrow(start, reach, kind, faded)
+
+    def _beside(
+        self, canvas: Canvas, hit: Collision, ball: Body, reach: tuple[float, float]
+    ) -> Vector:
+        """Where the push on a wall starts (m): it ends on the wall, beside the ball that gives it.
+
+        Of both sides of the ball the one that is nearer to the middle of the room.
+        """
+        scale = canvas.view.scale
+        away = self.radius(ball.mass) + BESIDE / scale
+        x, y = -hit.normal.y * away, hit.normal.x * away
+        if x * hit.point.x + y * hit.point.y > 0.0:
+            x, y = -x, -y
+        return Vector(hit.point.x + x - reach[0] / scale, hit.point.y + y - reach[1] / scale)
+
+    def _draw_label(self, canvas: Canvas, hit: Collision) -> None:
+        size = hits.size(hit.impulse)
+        if size < FAINTEST:
+            return
+        first, second = (hit.b, hit.a) if hit.a.is_wall else (hit.a, hit.b)
+        words = self.words(
+            "reactions.each",
+            a=self._letter(first),
+            b=self._letter(second),
+            impulse=page.measured(size, self.words("unit.impulse"), 2),
+        )
+        anchor = canvas.view.to_screen(hit.point)
+        canvas.label(words, anchor, theme.ORANGE, hits.fading(hit, self.world.time), gap=10)
+
+    def _draw_refusal(self, canvas: Canvas) -> None:
+        """A cross where a ball found no room, and the reason."""
+        if self.refusal is None:
+            return
+        name, at, since = self.refusal
+        faded = 1.0 - (self.world.time - since) / NOTICE
+        for slope in (1, -1):
+            a = Point(at.x - CROSS, at.y - slope * CROSS)
+            b = Point(at.x + CROSS, at.y + slope * CROSS)
+            canvas.surface.capsule(a, b, 2.5, theme.TEXT, faded)
+        words = self.words(f"reactions.{name}", count=str(len(LETTERS)))
+        canvas.label(words, at, theme.TEXT, faded, gap=12)
+
+    def _draw_gauge(self, surface: "Surface") -> None:
+        """A point that rolls to where the tilt pushes, and the tilt and the force in figures."""
+        words, place = self.words, _readouts(layout(self.size))[0]
+        center = Point(place.x + GAUGE, place.y + GAUGE)
+        surface.circle(center, GAUGE, None, outline=theme.OUTLINE, outline_width=1)
+        for x, y in ((GAUGE, 0.0), (0.0, GAUGE)):
+            a, b = Point(center.x - x, center.y - y), Point(center.x + x, center.y + y)
+            surface.line(a, b, 1, theme.HAIRLINE)
+        x, y = self.tilt.roll / FULL_TILT, self.tilt.pitch / FULL_TILT
+        within = (GAUGE - 6) / max(1.0, math.sqrt(x * x + y * y))
+        surface.circle((center.x + x * within, center.y + y * within), 5, theme.PURPLE)
+        degree = words("unit.degree")
+        roll, pitch = quantity(self.tilt.roll, degree), quantity(self.tilt.pitch, degree)
+        tilt = words("reactions.tilt", roll=roll, pitch=pitch)
+        left = place.x + 2 * GAUGE + 8
+        surface.text(tilt, (left, place.y + 3), TILT, theme.TEXT)
+        shown = page.measured(hits.size(self.force), words("unit.N"), 2)
+        force = words("reactions.force", force=shown)
+        surface.text(force, (left, place.y + 21), theme.SMALL, theme.TEXT_MEDIUM)
+
+    def _draw_numbers(self, surface: "Surface") -> None:
+        """How many collisions there were, and the impulse of the last one."""
+        words = self.words
+        _, count, last = _readouts(layout(self.size))
+        page.value(surface, count, str(self.collision_count))
+        if self.last_hit:
+            size = hits.size(self.last_hit.impulse)
+            shown = page.measured(size, words("unit.impulse"), 2)
+            page.value(surface, last, shown, theme.ORANGE)
+
+    def _letter(self, body: Body) -> str:
+        """What a pupil calls a body."""
+        return self.words("reactions.wall") if body.is_wall else LETTERS[self.balls.index(body)]
 
     def _advance(self, dt: float) -> None:
         self.collisions = self.world.step(dt)
@@ -239,3 +407,12 @@ def _distance(at: Vector, start: Vector, end: Vector) -> float:
     part = (at.x - start.x) * along.x + (at.y - start.y) * along.y
     part = min(max(part / (along.x * along.x + along.y * along.y), 0.0), 1.0)
     return math.dist(at, (start.x + part * along.x, start.y + part * along.y))
+
+
+def _readouts(area: Layout) -> list[Rect]:
+    """Places of the gauge, of the number of collisions and of the last impulse."""
+    if area.portrait:
+        return page.shares(area.readouts, (176.0, 70.0, 82.0))
+    gauge, numbers = Rect(*area.readouts[:3], 2 * GAUGE), area.readouts
+    below = Rect(numbers.x, numbers.bottom - 30, numbers.width, 30.0)
+    return [gauge, *columns(below, 2)]

@@ -1,12 +1,19 @@
 """The dialog in which mass and acceleration of a cart are chosen; the force follows from them."""
 
-from screens.kit.entry import Entry
+from typing import TYPE_CHECKING
+
+from screens.kit import page, theme
+from screens.kit.entry import THUMB, Entry
 from screens.kit.events import Drag, Event, Key, Release, Resize, Tap
-from screens.kit.geometry import Rect, Size
+from screens.kit.geometry import Point, Rect, Size
 from screens.kit.layout import GAP, TOUCH
+from screens.kit.numbers import quantity
 from screens.kit.widgets import MODAL, touched
 from screens.kit.words import Words
 from screens.lesson import Widget
+
+if TYPE_CHECKING:
+    from screens.kit.surface import Surface
 
 MASS = (0.5, 10.0)
 """Lightest and heaviest cart (kg)."""
@@ -15,6 +22,8 @@ ACCELERATION = (0.0, 5.0)
 STEP = 0.1
 """Of both sliders (kg, m/s^2)."""
 FIELD = Size(92.0, TOUCH)
+NAME = theme.mix(theme.WHITE, 0.7, theme.DIALOG)
+UNITS = {"mass": "unit.kg", "acceleration": "unit.acceleration"}
 ROW = 92.0
 """Height of a quantity: its name and field, and its slider below (dp)."""
 
@@ -83,6 +92,16 @@ class CartDialog:
             shown.append(Widget(name, self.slider(name), self.words(f"cart.{name}")))
             shown.append(Widget(f"{name}.field", self.field(name), ""))
         return shown
+
+    def draw(self, surface: "Surface") -> None:
+        """Draw the dialog."""
+        page.dialog(surface, self.panel, self.head, self.words(f"forces.{self.cart}"))
+        for name, entry in self.entries.items():
+            self._draw_entry(surface, name, entry)
+        self._draw_force(surface)
+        cancel, accept = self.widgets()[1:3]
+        page.plain_button(surface, cancel)
+        page.filled_button(surface, accept)
 
     @property
     def panel(self) -> Rect:
@@ -166,3 +185,65 @@ class CartDialog:
                 entry.commit()
                 refused = refused or bool(entry.refusal)
         return refused
+
+    def _draw_entry(self, surface: "Surface", name: str, entry: Entry) -> None:
+        words, row, field, track = self.words, self.row(name), self.field(name), self.slider(name)
+        label = Point(row.x, field.center.y)
+        if entry.refusal:
+            label = Point(row.x, row.y + 10)
+            surface.text(
+                self._refusal(name, entry),
+                (row.x, row.y + 29),
+                theme.SMALL,
+                theme.ORANGE,
+                valign="middle",
+            )
+        surface.text(words(f"cart.{name}"), label, theme.BODY, NAME, valign="middle")
+        self._draw_field(surface, field, entry, words(UNITS[name]))
+        middle, thumb = track.center.y, entry.thumb(track)
+        surface.capsule((row.x + 2, middle), (row.right - 2, middle), 4, theme.TRACK)
+        surface.capsule((row.x + 2, middle), (thumb, middle), 4, theme.TEAL)
+        surface.circle((thumb, middle), THUMB, theme.TEAL)
+
+    def _draw_field(self, surface: "Surface", field: Rect, entry: Entry, unit: str) -> None:
+        """A number, its unit, and while it is typed a caret or a mark over what is selected."""
+        typing = entry.text is not None
+        line = theme.TEAL if typing else theme.OUTLINE
+        box = field.inset(2)
+        surface.rect(box, theme.FIELD, radius=8, outline=line, outline_width=2 if typing else 1)
+        middle = box.center.y
+        end = box.right - 10 - surface.measure(unit, theme.BODY).width
+        surface.text(unit, (end, middle), theme.BODY, theme.TEXT_MEDIUM, valign="middle")
+        right = end - 5
+        width = surface.measure(entry.shown, theme.VALUE).width if entry.shown else 0.0
+        with surface.clip(box.inset(2)):
+            if typing and entry.selected:
+                mark = Rect(right - width - 2, middle - 10, width + 3, 20.0)
+                surface.rect(mark, theme.TEAL, 0.4, radius=3)
+            surface.text(
+                entry.shown,
+                (right, middle),
+                theme.VALUE,
+                theme.TEXT,
+                align="right",
+                valign="middle",
+            )
+            if typing and not entry.selected:
+                surface.rect(Rect(right + 1, middle - 9, 1.5, 18.0), theme.TEAL)
+
+    def _draw_force(self, surface: "Surface") -> None:
+        """The force, as an arrow that grows with it and as a number."""
+        words, place = self.words, self.force_row
+        shown = page.chosen(self.force, words("unit.N"))
+        label, number = Point(place.x, place.y + 14), Point(place.right, place.y + 14)
+        surface.text(words("cart.force"), label, theme.BODY, NAME, valign="middle")
+        surface.text(shown, number, theme.BIG_VALUE, theme.ORANGE, align="right", valign="middle")
+        y, longest = place.y + 48, place.width - 4
+        surface.capsule((place.x + 2, y), (place.right - 2, y), 2, theme.TRACK)
+        reach = longest * self.force / (MASS[1] * ACCELERATION[1])
+        surface.arrow((place.x + 2, y), (place.x + 2 + reach, y), theme.ORANGE, width=5)
+
+    def _refusal(self, name: str, entry: Entry) -> str:
+        unit = self.words(UNITS[name])
+        low, high = quantity(entry.low, unit, 1), quantity(entry.high, unit, 1)
+        return self.words(f"cart.{entry.refusal}", low=low, high=high)

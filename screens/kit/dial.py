@@ -1,14 +1,20 @@
 """The dialog in which a force is chosen by turning and lengthening an arrow."""
 
 import math
+from typing import TYPE_CHECKING
 
-from engine import Vector
+from engine import Polygon, Vector
+from screens.kit import page, theme
 from screens.kit.events import Drag, Event, Key, Release, Resize, Tap
 from screens.kit.geometry import Point, Rect, Size
-from screens.kit.layout import GAP, TOUCH
+from screens.kit.layout import GAP, TOUCH, rows
+from screens.kit.numbers import quantity
 from screens.kit.widgets import MODAL, touched
 from screens.kit.words import Words
 from screens.lesson import Widget
+
+if TYPE_CHECKING:
+    from screens.kit.surface import Surface
 
 STRONGEST = 6.0
 """What the arrow can be drawn out to (N)."""
@@ -20,6 +26,8 @@ RIM = HUB + STRONGEST * PER_NEWTON
 """From the middle to the tip of the strongest arrow (dp)."""
 STEP = 0.1
 """Strengths are multiples of this (N), directions whole degrees: what is read is what acts."""
+RING = theme.mix(theme.WHITE, 0.2, theme.DIALOG)
+DIAGONAL = math.sqrt(0.5)
 HANDLE = TOUCH
 """Width and height of what is grabbed at the tip (dp)."""
 
@@ -76,6 +84,20 @@ class ForceDial:
             Widget("dialog.accept", right, words("dialog.accept")),
             Widget("force.arrow", handle, ""),
         ]
+
+    def draw(self, surface: "Surface", shape: Polygon, angle: float, mass: float) -> None:
+        """Draw the dialog about a body of some shape, angle (rad) and mass (kg)."""
+        words = self.words
+        page.dialog(surface, self.panel, self.head, words("dial.title"), words("dial.hint"))
+        self._draw_rings(surface)
+        self._draw_body(surface, shape, angle)
+        self._draw_arrow(surface)
+        for rect, label, value, color in self._numbers(mass):
+            page.heading(surface, rect, label)
+            page.value(surface, rect, value, color)
+        _, cancel, accept, _ = self.widgets()
+        page.plain_button(surface, cancel)
+        page.filled_button(surface, accept)
 
     @property
     def panel(self) -> Rect:
@@ -141,6 +163,64 @@ class ForceDial:
         degrees = round(math.degrees(math.atan2(y, x))) % 360 if reach > 0.0 else 0
         self._direction = math.radians(degrees)
         self.force = polar(steps / round(1 / STEP), degrees)
+
+    def _draw_rings(self, surface: "Surface") -> None:
+        """Circles at half and at full strength, with a mark every 30 degrees."""
+        center = self.center
+        for newtons in (STRONGEST / 2, STRONGEST):
+            radius = HUB + newtons * PER_NEWTON
+            surface.circle(center, radius, None, outline=RING, outline_width=1)
+            label = Point(center.x + radius * DIAGONAL + 4, center.y + radius * DIAGONAL + 6)
+            words = quantity(newtons, self.words("unit.N"))
+            surface.text(words, label, theme.SMALL, theme.TEXT_MEDIUM, valign="middle")
+        for turn in range(12):
+            x, y = math.cos(math.pi * turn / 6), math.sin(math.pi * turn / 6)
+            outer = Point(center.x + RIM * x, center.y + RIM * y)
+            inner = Point(center.x + (RIM - 5) * x, center.y + (RIM - 5) * y)
+            surface.line(inner, outer, 1.5, theme.TEXT_DISABLED)
+
+    def _draw_body(self, surface: "Surface", shape: Polygon, angle: float) -> None:
+        """The body as it is turned now, as large as the hub."""
+        reach = max(math.dist(corner, (0.0, 0.0)) for corner in shape.vertices)
+        grown, cos, sin = (HUB - 2) / reach, math.cos(angle), math.sin(angle)
+        corners = [
+            Point(
+                self.center.x + grown * (cos * x - sin * y),
+                self.center.y - grown * (sin * x + cos * y),
+            )
+            for x, y in shape.vertices
+        ]
+        surface.polygon(corners, theme.TEAL, 0.8, outline=theme.TEAL)
+
+    def _draw_arrow(self, surface: "Surface") -> None:
+        """From the hub to the tip, and the handle about the tip."""
+        center, tip = self.center, self.tip
+        tail = Point(
+            center.x + HUB * math.cos(self._direction), center.y - HUB * math.sin(self._direction)
+        )
+        surface.circle(
+            tip, 16, theme.ORANGE, 0.12, outline=theme.ORANGE, outline_alpha=0.7, outline_width=2
+        )
+        surface.arrow(tail, tip, theme.ORANGE, width=5)
+
+    def _numbers(self, mass: float) -> list[tuple[Rect, str, str, theme.Color]]:
+        """Place, heading, value and colour of the readouts."""
+        words = self.words
+        parts = (92.0, 84.0, 80.0)
+        places = page.shares(self.readouts, parts) if self._upright else rows(self.readouts, 3, GAP)
+        values = (
+            ("dial.strength", quantity(self.strength, words("unit.N"), 1), theme.ORANGE),
+            ("dial.direction", quantity(self.degrees, words("unit.degree")), theme.TEXT),
+            (
+                "dial.acceleration",
+                page.measured(self.strength / mass, words("unit.acceleration"), 2),
+                theme.TEXT,
+            ),
+        )
+        return [
+            (place, words(name), value, color)
+            for place, (name, value, color) in zip(places, values, strict=True)
+        ]
 
 
 def polar(length: float, degrees: int) -> Vector:

@@ -30,3 +30,12 @@ def strongest(hits: Sequence[Collision], count: int) -> list[Collision]:
 def size(vector: Vector) -> float:
     """Length of a vector, in its own unit."""
     return math.sqrt(vector.x * vector.x + vector.y * vector.y)
+
+
+def reach(vector: Vector, per_unit: float, longest: float) -> tuple[float, float]:
+    """How far the arrow of a vector reaches (dp, +y up): in proportion, up to a greatest length."""
+    length = size(vector)
+    if length == 0.0:
+        return (0.0, 0.0)
+    drawn = min(length * per_unit, longest)
+    return (vector.x / length * drawn, vector.y / length * drawn)

@@ -67,7 +67,7 @@ def _across(size: Size) -> Layout:
     rows = 2 * TOUCH + GAP
     controls = Rect(MARGIN, nav.y - 6 - rows, inner, rows)
     readouts = Rect(MARGIN, controls.y - 6 - 72, inner, 72.0)
-    words = Rect(MARGIN, 8.0, inner, readouts.y - 4 - 8)
+    words = Rect(MARGIN, 4.0, inner, readouts.y - 4 - 4)
     canvas = Rect(panel, GAP, wide - panel - GAP, high - 2 * GAP)
     return Layout(size, False, words, canvas, readouts, controls, nav)
 
