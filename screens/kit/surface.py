@@ -28,7 +28,7 @@ from screens.kit.raster import (
 )
 from screens.kit.scale import scale_of
 from screens.kit.sdl import pygame
-from screens.kit.text import ASCENT, CAP_HEIGHT, DESCENT, FINE, Type
+from screens.kit.text import ASCENT, CAP_HEIGHT, DESCENT, FINE, LONGEST, Type, printable
 from screens.kit.theme import Color, Style
 
 Place = tuple[float, float]
@@ -248,8 +248,9 @@ class Surface:
     def letter(
         self, words: str, center: Place, style: Style, color: Color, alpha: float = 1
     ) -> None:
-        """A short word about a point that moves: placed to an eighth of a pixel."""
-        if not words:
+        """A short word about a point that moves: placed to a quarter of a pixel."""
+        words = printable(words)[:LONGEST]
+        if not words.strip():
             return
         x, y = center[0] * self.scale, center[1] * self.scale
         if not (-LARGEST < x < 2 * LARGEST and -LARGEST < y < 2 * LARGEST):

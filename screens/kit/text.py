@@ -4,6 +4,7 @@ from importlib import resources
 
 import numpy as np
 
+from screens.kit.numbers import THIN_SPACE
 from screens.kit.raster import Coverage
 from screens.kit.sdl import pygame
 from screens.kit.theme import MEDIUM, REGULAR, SEMIBOLD, Style
@@ -11,8 +12,8 @@ from screens.kit.theme import MEDIUM, REGULAR, SEMIBOLD, Style
 FILES = {REGULAR: "Inter-Regular.ttf", MEDIUM: "Inter-Medium.ttf", SEMIBOLD: "Inter-SemiBold.ttf"}
 ASCENT, DESCENT, CAP_HEIGHT = 0.96875, 0.2412109375, 0.7275390625
 """Of Inter, in em."""
-FINE = 8
-"""Floating letters are set this many times too large, to be placed to an eighth of a pixel."""
+FINE = 4
+"""Floating letters are set this many times too large, to be placed to a quarter of a pixel."""
 LONGEST = 500
 """A line is cut after this many characters: a picture of it would be wider than any screen."""
 ELLIPSIS = "\u2026"
@@ -60,8 +61,8 @@ class Type:
         words = words.upper() if style.capitals else words
         broken: list[str] = []
         for paragraph in words.split("\n"):
-            clean = "".join(c if c.isprintable() or c == "\u2009" else " " for c in paragraph)
-            broken += self._wrap(clean, style, width) if width is not None else [clean[:LONGEST]]
+            plain = printable(paragraph)
+            broken += self._wrap(plain, style, width) if width is not None else [plain[:LONGEST]]
         if most is not None and len(broken) > most:
             broken = broken[:most]
             last = broken[-1]
@@ -107,11 +108,11 @@ class Type:
         return -(-self.font(style.weight, FINE * self.pixels(style)).get_ascent() // FINE)
 
     def fine_width(self, words: str, style: Style) -> float:
-        """Width of a floating line (px), to an eighth."""
+        """Width of a floating line (px), to a quarter."""
         return self.font(style.weight, FINE * self.pixels(style)).size(words)[0] / FINE
 
     def floating(self, words: str, style: Style, right: int, down: int) -> Coverage:
-        """The mask of a short line shifted by `right` and `down` eighths of a pixel."""
+        """The mask of a short line shifted by `right` and `down` quarters of a pixel."""
         font = self.font(style.weight, FINE * self.pixels(style))
         fine = _coverage(font, words)
         rise = self.rise(style)
@@ -125,11 +126,10 @@ class Type:
         mask: Coverage = ((sums + cells // 2) // cells).astype(np.uint8)
         return mask
 
-    def missing(self, words: str) -> str:
-        """Those characters of `words` that the fonts cannot show, each once, in order."""
-        font = self.font(REGULAR, 16)
-        lacking = (c for c, got in zip(words, font.metrics(words), strict=True) if got is None)
-        return "".join(dict.fromkeys(lacking))
+
+def printable(words: str) -> str:
+    """The words with a space for every character that has no picture."""
+    return "".join(c if c.isprintable() or c == THIN_SPACE else " " for c in words)
 
 
 def _coverage(font: pygame.font.Font, words: str) -> Coverage:
