@@ -142,8 +142,9 @@ def test_stopping_leaves_no_file(number, code, push, tmp_path):
 
 def test_the_film_is_made_though_nobody_reads_stdout(push, tmp_path):
     run = start("render", push, "-o", "a.gif", "--json", folder=tmp_path)
-    run.stdout.close()
-    err = run.stderr.read()
+    with run.stderr as errors:
+        run.stdout.close()
+        err = errors.read()
     assert (run.wait(timeout=60), err) == (0, b"")
     assert files(tmp_path) == ["a.gif", "push.yaml"]
 
