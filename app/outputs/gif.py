@@ -51,19 +51,18 @@ class Gif:
         self._end = frame.index + 1
         if frame.index % self._stride:
             return
-        now = frame.pixels
-        if self._seen is None:
-            box: Box | None = whole(now)
+        now, before = frame.pixels, self._seen
+        box = whole(now) if before is None else changed(before, now)
+        if box is None:
+            return
+        self._seen = now
+        if before is None:
             indices = self._palette(now)
         else:
-            box = changed(self._seen, now)
-            if box is None:
-                return
             new = now[box.slices]
-            differs = new != self._seen[box.slices]
+            differs = new != before[box.slices]
             indices = np.full(new.shape, TRANSPARENT, np.uint8)
             indices[differs] = self._palette(new[differs])
-        self._seen = now
         time = self._time(frame.index)
         self._write_waiting(time)
         self._waiting = (box, _compressed(indices), time)

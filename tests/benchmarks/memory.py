@@ -1,0 +1,62 @@
+"""Peak memory of a long film beside that of a short one, for every format.
+
+    python tests/benchmarks/memory.py [LONG_SECONDS [WIDTH HEIGHT]]
+
+Each film is made in a process of its own; by default 10 minutes against 10 seconds at 180x320.
+"""
+
+import resource
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+FPS = 30
+SHORT = 10.0
+KINDS = ("film.mp4", "film.webm", "film.gif", "film.apng", "film.webp", "frames/", "film.csv")
+
+
+def film(target: str, seconds: float, size: tuple[int, int]) -> None:
+    """Make one film and print this process's peak (MB)."""
+    from scene import frames
+
+    from app.frames import Film, Frame, Moment
+    from app.outputs import open_sink
+    from app.outputs.background import Background
+    from engine import Particle, World
+
+    world = World()
+    for number in range(12):
+        world.add(Particle(0.1), position=(number, 0), velocity=(1, 2))
+    sink = Background(open_sink(target, Film(*size, FPS, "Benchmark")))
+    sink.moment(Moment(world.time, world, []))
+    for index, pixels in enumerate(frames(size, FPS, seconds)):
+        sink.frame(Frame(index, pixels))
+        for _ in range(60 // FPS):
+            sink.moment(Moment(world.time, world, world.step()))
+    sink.close()
+    print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)
+
+
+def peak(target: str, seconds: float, size: tuple[int, int]) -> float:
+    command = [sys.executable, __file__, "film", target, str(seconds), *map(str, size)]
+    return float(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
+
+
+def main() -> None:
+    if sys.argv[1:2] == ["film"]:
+        film(sys.argv[2], float(sys.argv[3]), (int(sys.argv[4]), int(sys.argv[5])))
+        return
+    long = float(sys.argv[1]) if len(sys.argv) > 1 else 600.0
+    size = (int(sys.argv[2]), int(sys.argv[3])) if len(sys.argv) > 3 else (180, 320)
+    with tempfile.TemporaryDirectory() as folder:
+        for kind in KINDS:
+            short, whole = (peak(f"{folder}/{kind}", time, size) for time in (SHORT, long))
+            print(
+                f"Memory {Path(kind).suffix or kind}: {short:.0f} MB for {SHORT:.0f} s, "
+                f"{whole:.0f} MB for {long:.0f} s, {whole - short:+.1f} MB"
+            )
+
+
+if __name__ == "__main__":
+    main()
