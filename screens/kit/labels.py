@@ -78,13 +78,12 @@ class Labels:
         return found
 
     def _nearest(self, size: Size, anchor: Point, gap: float) -> Rect | None:
-        """The first free place, ring by ring."""
+        """The first free place: the nearest ring first, then all the others."""
         spots = _spots(size, anchor, gap)
-        for first in range(0, len(spots), len(TURNS)):
-            ring = spots[first : first + len(TURNS)]
-            free = np.flatnonzero(self._free(ring, size))
+        for near in (spots[: len(TURNS)], spots[len(TURNS) :]):
+            free = np.flatnonzero(self._free(near, size))
             if free.size:
-                x, y = ring[free[0]]
+                x, y = near[free[0]]
                 return Rect(float(x), float(y), size.width, size.height)
         return None
 

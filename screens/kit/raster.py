@@ -38,6 +38,11 @@ class Box(NamedTuple):
         """How many pixels it has; 0 if it is turned inside out."""
         return max(0, self.right - self.left) * max(0, self.bottom - self.top)
 
+    @property
+    def extent(self) -> tuple[int, int]:
+        """Width and height, never negative."""
+        return max(0, self.right - self.left), max(0, self.bottom - self.top)
+
     def meet(self, other: "Box") -> "Box":
         """What both share."""
         return Box(

@@ -11,23 +11,9 @@ from numpy.typing import NDArray
 from screens.kit import arrows
 from screens.kit.cache import Cache
 from screens.kit.geometry import Point, Rect, Size
-from screens.kit.raster import (
-    FILLED,
-    ArrowShape,
-    Bar,
-    Box,
-    Coverage,
-    Disc,
-    Hull,
-    Look,
-    Shape,
-    Slab,
-    Stroke,
-    bounding_box,
-    cover,
-)
+from screens.kit.picture import Picture
+from screens.kit.raster import FILLED, ArrowShape, Bar, Box, Disc, Hull, Look, Shape, Slab, Stroke
 from screens.kit.scale import scale_of
-from screens.kit.sdl import pygame
 from screens.kit.text import ASCENT, CAP_HEIGHT, DESCENT, FINE, LONGEST, Type, printable
 from screens.kit.theme import Color, Style
 
@@ -36,14 +22,10 @@ Place = tuple[float, float]
 Align = Literal["left", "center", "right"]
 Valign = Literal["top", "middle", "baseline"]
 
-LARGEST = 8192
-"""Of a picture's sides (px)."""
-SPRITES = 24 << 20
-"""Bytes that drawn shapes and words may take."""
-MASKS = 8 << 20
-"""Bytes that coverage masks may take."""
 PHASES, SMALL = 16, 96.0
 """Discs of up to 96 px radius are placed to a sixteenth of a pixel, so that masks are met again."""
+FAR = 1e5
+"""Nothing small that is farther away than this can be seen (px)."""
 LAYERS = 2
 """How many static pictures are kept."""
 
@@ -61,10 +43,7 @@ class Surface:
         Raises:
             ValueError: for sides that are not 1..8192 pixels.
         """
-        if not (1 <= width <= LARGEST and 1 <= height <= LARGEST):
-            raise ValueError(
-                f"a picture must have sides of 1 to {LARGEST} pixels, not {width} x {height}"
-            )
+        self._picture: Picture = Picture(width, height, _like._picture if _like else None)
         self.width = width
         """(px)"""
         self.height = height
@@ -74,17 +53,12 @@ class Surface:
         self.size = Size(width / self.scale, height / self.scale)
         """(dp)"""
         self.type: Type = _like.type if _like else Type(self.scale)
-        self._picture = pygame.Surface((width, height), 0, 32, (0xFF0000, 0xFF00, 0xFF, 0))
-        self._sprites: Cache[pygame.Surface] = _like._sprites if _like else Cache(SPRITES)
-        self._masks: Cache[Coverage] = _like._masks if _like else Cache(MASKS)
-        self._lines: Cache[list[tuple[str, int]]] = _like._lines if _like else Cache(1 << 20)
+        self._lines: Cache[list[tuple[str, float]]] = _like._lines if _like else Cache(1 << 20)
         self._layers: Cache[Surface] = Cache(LAYERS)
 
     def pixels(self) -> NDArray[np.uint32]:
         """A copy of the picture, shape (height, width), each 0x00RRGGBB, C-contiguous."""
-        view = pygame.surfarray.pixels2d(self._picture).T
-        copy: NDArray[np.uint32] = np.bitwise_and(view, np.uint32(0xFFFFFF), order="C")
-        return copy
+        return self._picture.pixels()
 
     def snap(self, value: float) -> float:
         """The nearest whole pixel to a coordinate or a width (dp)."""
@@ -98,13 +72,7 @@ class Surface:
 
     def scrim(self, alpha: float) -> None:
         """Darken all of the picture (or of the clip)."""
-        shade = self._sprites.get(
-            ("scrim", self.width, _level(alpha)),
-            lambda: _sprite(np.full((64, self.width), 255, np.uint8), (0, 0, 0), _level(alpha)),
-            _bytes,
-        )
-        for top in range(0, self.height, 64):
-            self._picture.blit(shade, (0, top))
+        self._picture.darken(alpha)
 
     def rect(
         self,
@@ -123,9 +91,7 @@ class Surface:
             return
         sharp = all(abs(side - round(side)) < 1e-3 for side in (left, top, right, bottom))
         if sharp and color is not None and alpha >= 1 and not radius and outline is None:
-            box = Box(round(left), round(top), round(right), round(bottom)).meet(self._clip_box())
-            if box.area:
-                self._picture.fill(color, (box.left, box.top, *_extent(box)))
+            self._picture.fill(color, Box(round(left), round(top), round(right), round(bottom)))
             return
         corner = min(radius * scale, (right - left) / 2, (bottom - top) / 2)
         self._shape(
@@ -144,7 +110,7 @@ class Surface:
     ) -> None:
         """A disc; the outline lies inside its edge."""
         x, y, r = center[0] * self.scale, center[1] * self.scale, radius * self.scale
-        if 0 < r <= SMALL and abs(x) < LARGEST * 2 and abs(y) < LARGEST * 2:
+        if 0 < r <= SMALL and abs(x) < FAR and abs(y) < FAR:
             x, y = round(x * PHASES) / PHASES, round(y * PHASES) / PHASES
         if r > 0:
             self._shape(Disc(x, y, r), color, alpha, outline, outline_width, outline_alpha)
@@ -168,7 +134,7 @@ class Surface:
     def capsule(self, a: Place, b: Place, width: float, color: Color, alpha: float = 1) -> None:
         """A thick line with round ends."""
         thick, alpha = self._thickness(width, alpha)
-        self._paint(Bar(self._point(a), self._point(b), thick), FILLED, color, alpha)
+        self._picture.paint(Bar(self._point(a), self._point(b), thick), FILLED, color, alpha)
 
     def line(
         self,
@@ -183,7 +149,7 @@ class Surface:
         thick, alpha = self._thickness(width, alpha)
         on, off = (dash[0] * self.scale, dash[1] * self.scale) if dash else (0.0, 0.0)
         stroke = Stroke(self._point(a), self._point(b), thick, on, off)
-        self._paint(stroke, FILLED, color, alpha)
+        self._picture.paint(stroke, FILLED, color, alpha)
 
     def arrow(
         self,
@@ -198,7 +164,7 @@ class Surface:
         start, end = self._point(tail), self._point(tip)
         if arrows.shape(start, end, width * self.scale) is not None:
             shape = ArrowShape(start, end, width * self.scale, head == "hollow")
-            self._paint(shape, FILLED, color, alpha)
+            self._picture.paint(shape, FILLED, color, alpha)
 
     # -- words --------------------------------------------------------------------------------
 
@@ -237,11 +203,11 @@ class Surface:
             baseline += above
         elif valign == "middle":
             baseline += (CAP_HEIGHT * em - (len(broken) - 1) * leading) / 2
-        widest = 0
+        widest = 0.0
         for row, (line, wide) in enumerate(broken):
             widest = max(widest, wide)
-            left = round(at[0] * scale - _share(align) * wide)
-            self._line(line, left, round(baseline + row * leading), style, color, alpha)
+            left = at[0] * scale - _share(align) * wide
+            self._line(line, left, baseline + row * leading, style, color, alpha)
         x = at[0] - _share(align) * widest / scale
         return Rect(x, (baseline - above) / scale, widest / scale, len(broken) * style.line_height)
 
@@ -253,35 +219,27 @@ class Surface:
         if not words.strip():
             return
         x, y = center[0] * self.scale, center[1] * self.scale
-        if not (-LARGEST < x < 2 * LARGEST and -LARGEST < y < 2 * LARGEST):
+        if not (abs(x) < FAR and abs(y) < FAR):
             return
         em = self.type.pixels(style)
-        wide = self.type.fine_width(words, style)
+        wide = self._fine_width(words, style)
         left, baseline = x - wide / 2, y + CAP_HEIGHT * em / 2
         column, row = int(left // 1), int(baseline // 1)
         right, down = int((left - column) * FINE), int((baseline - row) * FINE)
         key = ("letter", words, style.weight, em, right, down)
-        sprite = self._tinted(
-            key, lambda: self.type.floating(words, style, right, down), color, _level(alpha)
-        )
-        rise = self.type.rise(style)
-        self._picture.blit(sprite, (column, row - rise))
+        mask = partial(self.type.floating, words, style, right, down)
+        self._picture.stamp(key, mask, color, alpha, column, row - self.type.rise(style))
 
     # -- the whole ----------------------------------------------------------------------------
 
     @contextmanager
     def clip(self, rect: Rect) -> Iterator[None]:
         """Paint only inside `rect` (rounded to whole pixels), and inside the clip around it."""
-        before = self._picture.get_clip()
         scale = self.scale
         left, top = round(rect.x * scale), round(rect.y * scale)
         right, bottom = round(rect.right * scale), round(rect.bottom * scale)
-        box = Box(left, top, right, bottom).meet(self._clip_box())
-        self._picture.set_clip((box.left, box.top, *_extent(box)))
-        try:
+        with self._picture.clip(Box(left, top, right, bottom)):
             yield
-        finally:
-            self._picture.set_clip(before)
 
     def static(self, key: Hashable, paint: Callable[["Surface"], None]) -> None:
         """Show the whole picture that `paint` paints, which is called once per `key`.
@@ -295,7 +253,7 @@ class Surface:
             return layer
 
         layer = self._layers.get(key, make, lambda _: 1)
-        self._picture.blit(layer._picture, (0, 0))
+        self._picture.show(layer._picture)
 
     # -- below: pixels ------------------------------------------------------------------------
 
@@ -307,13 +265,9 @@ class Surface:
         pixels = width * self.scale
         return (pixels, alpha) if pixels >= 1 else (1.0, alpha * pixels)
 
-    def _clip_box(self) -> Box:
-        left, top, width, height = self._picture.get_clip()
-        return Box(left, top, left + width, top + height)
-
     def _break(
         self, words: str, style: Style, width: float | None, lines: int | None
-    ) -> list[tuple[str, int]]:
+    ) -> list[tuple[str, float]]:
         """The lines that words are broken into, and how wide each is (px)."""
         pixels = None if width is None else width * self.scale
         return self._lines.get(
@@ -325,26 +279,24 @@ class Surface:
             lambda broken: 200 + 100 * len(broken) + 2 * len(words),
         )
 
-    def _line(
-        self, line: str, left: int, baseline: int, style: Style, color: Color, alpha: float
-    ) -> None:
-        if not line or alpha <= 0:
-            return
-        em = self.type.pixels(style)
-        key = ("line", line, style.weight, em)
-        sprite = self._tinted(key, lambda: self.type.line(line, style), color, _level(alpha))
-        rise = self.type.font(style.weight, em).get_ascent()
-        self._picture.blit(sprite, (left, baseline - rise))
+    def _fine_width(self, words: str, style: Style) -> float:
+        """Width of a letter (px), to a quarter."""
+        return self._lines.get(
+            ("letter", words, style),
+            lambda: [(words, self.type.fine_width(words, style))],
+            lambda _: 300,
+        )[0][1]
 
-    def _tinted(
-        self, key: Hashable, make: Callable[[], Coverage], color: Color, level: int
-    ) -> pygame.Surface:
-        """The mask of `key` in a colour; both are kept, as colours fade more often than shapes."""
-        return self._sprites.get(
-            (key, color, level),
-            lambda: _sprite(self._masks.get(key, make, _mask_bytes), color, level),
-            _bytes,
-        )
+    def _line(
+        self, line: str, left: float, baseline: float, style: Style, color: Color, alpha: float
+    ) -> None:
+        if line and abs(left) < FAR and abs(baseline) < FAR:
+            em = self.type.pixels(style)
+            top = round(baseline) - self.type.font(style.weight, em).get_ascent()
+            mask = partial(self.type.line, line, style)
+            self._picture.stamp(
+                ("line", line, style.weight, em), mask, color, alpha, round(left), top
+            )
 
     def _shape(
         self,
@@ -359,65 +311,15 @@ class Surface:
         line, outline_alpha = self._thickness(outline_width, outline_alpha)
         if outline is None:
             if color is not None:
-                self._paint(shape, FILLED, color, alpha)
+                self._picture.paint(shape, FILLED, color, alpha)
         elif color is None or color == outline:
             area = alpha if color is not None else 0.0
-            self._paint(shape, Look(area, outline_alpha, line), outline, 1)
+            self._picture.paint(shape, Look(area, outline_alpha, line), outline, 1)
         else:
-            self._paint(shape, Look(inset=line / 2), color, alpha)
-            self._paint(shape, Look(0, 1, line), outline, outline_alpha)
-
-    def _paint(self, shape: Shape, look: Look, color: Color, alpha: float) -> None:
-        box = bounding_box(shape)
-        level = _level(alpha)
-        if box is None or not level:
-            return
-        seen = box.meet(self._clip_box())
-        if not seen.area:
-            return
-        if box.area > self.width * self.height:
-            sprite = _sprite(cover(shape, look, seen), color, level)
-            self._picture.blit(sprite, (seen.left, seen.top))
-            return
-        home = shape.moved(-box.left, -box.top)
-        key = (type(home), home, look)
-        extent = Box(0, 0, *_extent(box))
-
-        sprite = self._tinted(key, partial(cover, home, look, extent), color, level)
-        self._picture.blit(sprite, (box.left, box.top))
-
-
-def _level(alpha: float) -> int:
-    """Opacity in 0..256."""
-    return round(min(max(alpha, 0.0), 1.0) * 256)
+            self._picture.paint(shape, Look(inset=line / 2), color, alpha)
+            self._picture.paint(shape, Look(0, 1, line), outline, outline_alpha)
 
 
 def _share(align: Align) -> float:
     """How much of a line lies to the left of its place."""
     return {"left": 0.0, "center": 0.5, "right": 1.0}[align]
-
-
-def _extent(box: Box) -> tuple[int, int]:
-    """Width and height of a box, never negative."""
-    return max(0, box.right - box.left), max(0, box.bottom - box.top)
-
-
-def _bytes(sprite: pygame.Surface) -> int:
-    return 4 * sprite.get_width() * sprite.get_height() + 500
-
-
-def _mask_bytes(mask: Coverage) -> int:
-    return mask.size + 500
-
-
-def _sprite(coverage: Coverage, color: Color, level: int) -> pygame.Surface:
-    """A picture of one colour whose opacity is the coverage, times `level` / 256."""
-    opacity = coverage.astype(np.uint32)
-    if level < 256:
-        opacity *= np.uint32(level)
-        opacity += np.uint32(128)
-        opacity >>= np.uint32(8)
-    opacity <<= np.uint32(24)
-    opacity |= np.uint32(color[0] << 16 | color[1] << 8 | color[2])
-    height, width = coverage.shape
-    return pygame.image.frombuffer(opacity.data, (width, height), "BGRA")

@@ -146,6 +146,7 @@ class TestOutside:
         surface.capsule((far, 0), (far, 10), 4, theme.WHITE)
         surface.arrow((far, 0), (far, 10), theme.WHITE)
         surface.letter("A", (far, 10), theme.LETTER, theme.WHITE)
+        surface.text("A", (10, far), theme.LETTER, theme.WHITE, align="center")
         surface.rect(Rect(far, 0, 10, 10), theme.WHITE, radius=3)
         assert not surface.pixels().any()
 
@@ -204,6 +205,29 @@ class TestPictures:
         assert (surface.pixels() == direct.pixels()).all()
         surface.static("other", paint)
         assert len(calls) == 3
+
+    def test_the_static_picture_comes_back_wherever_something_was_drawn(self):
+        def paint(layer: Surface) -> None:
+            layer.fill(theme.CANVAS)
+            layer.text("Inertia", (16, 16), theme.TITLE, theme.TEXT)
+
+        surface, direct = black(), black()
+        paint(direct)
+        for i in range(12):
+            surface.static("key", paint)
+            assert (surface.pixels() == direct.pixels()).all()
+            for k in range(i * 12):
+                surface.circle((7.3 * i, 5.1 * k), 10, theme.TEAL, 0.5)
+            surface.text("Speed", (100, 20 + 13 * i), theme.LABEL, theme.TEXT)
+            surface.arrow((100, 100), (200 + i, 300), theme.YELLOW)
+            with surface.clip(Rect(50, 50, 100, 100)):
+                surface.rect(Rect(0, 0, 360, 70), theme.ORANGE, alpha=0.5)
+                if i % 4 == 0:
+                    surface.static("key", paint)
+            if i % 3 == 0:
+                surface.scrim(0.5)
+            if i % 5 == 0:
+                surface.fill(theme.PURPLE)
 
     def test_a_scrim_darkens_everything_alike(self):
         surface = black()

@@ -1,0 +1,166 @@
+"""The pixels below a surface: masks become sprites of a colour, sprites are stamped.
+
+Masks, sprites and static layers are kept, within bounds, and used again.
+"""
+
+from collections.abc import Callable, Hashable, Iterator
+from contextlib import contextmanager
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from screens.kit.cache import Cache
+from screens.kit.raster import Box, Coverage, Look, Shape, bounding_box, cover
+from screens.kit.sdl import pygame
+from screens.kit.theme import Color
+
+LARGEST = 8192
+"""Of a picture's sides (px)."""
+SPRITES = 24 << 20
+"""Bytes that drawn shapes and words may take."""
+MASKS = 8 << 20
+"""Bytes that coverage masks may take."""
+CHANGES = 1000
+"""So many changed places are remembered before the whole picture counts as changed."""
+STRIP = 64
+"""Height of the sprite that darkens a picture, strip by strip (px)."""
+
+
+class Picture:
+    """A picture of `width` x `height` pixels without transparency, black at first."""
+
+    def __init__(self, width: int, height: int, like: "Picture | None" = None) -> None:
+        """Make a picture; it shares masks and sprites with `like`.
+
+        Raises:
+            ValueError: for sides that are not 1..8192 pixels.
+        """
+        if not (1 <= width <= LARGEST and 1 <= height <= LARGEST):
+            raise ValueError(
+                f"a picture must have sides of 1 to {LARGEST} pixels, not {width} x {height}"
+            )
+        self.width = width
+        self.height = height
+        self._surface = pygame.Surface((width, height), 0, 32, (0xFF0000, 0xFF00, 0xFF, 0))
+        self._masks: Cache[Coverage] = like._masks if like else Cache(MASKS)
+        self._sprites: Cache[pygame.Surface] = like._sprites if like else Cache(SPRITES)
+        self._ground: Picture | None = None
+        """The layer that is shown, but for the changes."""
+        self._changes: list[pygame.Rect] = []
+
+    def pixels(self) -> NDArray[np.uint32]:
+        """A copy, shape (height, width), each 0x00RRGGBB, C-contiguous."""
+        view = pygame.surfarray.pixels2d(self._surface).T
+        copy: NDArray[np.uint32] = np.bitwise_and(view, np.uint32(0xFFFFFF), order="C")
+        return copy
+
+    def clip_box(self) -> Box:
+        """What may be painted."""
+        left, top, width, height = self._surface.get_clip()
+        return Box(left, top, left + width, top + height)
+
+    @contextmanager
+    def clip(self, box: Box) -> Iterator[None]:
+        """Paint only inside `box`, and inside the clip around it."""
+        before = self._surface.get_clip()
+        inner = box.meet(self.clip_box())
+        self._surface.set_clip((inner.left, inner.top, *inner.extent))
+        try:
+            yield
+        finally:
+            self._surface.set_clip(before)
+
+    def fill(self, color: Color, box: Box | None = None) -> None:
+        """Paint a rectangle, or all that may be painted."""
+        inner = self.clip_box() if box is None else box.meet(self.clip_box())
+        if inner.area:
+            self._changed(self._surface.fill(color, (inner.left, inner.top, *inner.extent)))
+
+    def darken(self, alpha: float) -> None:
+        """Lay black of this opacity over everything."""
+        key = ("scrim", self.width)
+        full = partial(np.full, (STRIP, self.width), 255, np.uint8)
+        for top in range(0, self.height, STRIP):
+            self.stamp(key, full, (0, 0, 0), alpha, 0, top)
+
+    def paint(self, shape: Shape, look: Look, color: Color, alpha: float) -> None:
+        """Paint a shape given in pixels; one that lies outside costs nothing."""
+        box = bounding_box(shape)
+        if box is None:
+            return
+        seen = box.meet(self.clip_box())
+        if not seen.area:
+            return
+        if box.area > self.width * self.height:
+            sprite = _sprite(cover(shape, look, seen), color, _level(alpha))
+            self._changed(self._surface.blit(sprite, (seen.left, seen.top)))
+            return
+        home = shape.moved(-box.left, -box.top)
+        mask = partial(cover, home, look, Box(0, 0, *box.extent))
+        self.stamp((type(home), home, look), mask, color, alpha, box.left, box.top)
+
+    def stamp(
+        self,
+        key: Hashable,
+        make: Callable[[], Coverage],
+        color: Color,
+        alpha: float,
+        left: int,
+        top: int,
+    ) -> None:
+        """Paint the mask of `key` in a colour; `make` makes the mask if it is not held.
+
+        Masks and sprites are kept apart, as colours fade more often than shapes change.
+        """
+        level = _level(alpha)
+        if level:
+            sprite = self._sprites.get(
+                (key, color, level),
+                lambda: _sprite(self._masks.get(key, make, _mask_bytes), color, level),
+                _sprite_bytes,
+            )
+            self._changed(self._surface.blit(sprite, (left, top)))
+
+    def show(self, layer: "Picture") -> None:
+        """Show a finished layer of the same size; where it still shows, nothing is copied."""
+        whole = self._surface.get_rect()
+        changes = [whole] if layer is not self._ground else self._changes
+        if sum(change.width * change.height for change in changes) > whole.width * whole.height / 2:
+            changes = [whole]
+        for change in changes:
+            self._surface.blit(layer._surface, change, change)
+        self._ground = layer if self._surface.get_clip() == whole else None
+        self._changes = []
+
+    def _changed(self, place: pygame.Rect) -> None:
+        if self._ground is not None:
+            self._changes.append(place)
+            if len(self._changes) > CHANGES:
+                self._ground, self._changes = None, []
+
+
+def _level(alpha: float) -> int:
+    """Opacity in 0..256."""
+    return round(min(max(alpha, 0.0), 1.0) * 256)
+
+
+def _sprite_bytes(sprite: pygame.Surface) -> int:
+    return 4 * sprite.get_width() * sprite.get_height() + 500
+
+
+def _mask_bytes(mask: Coverage) -> int:
+    return mask.size + 500
+
+
+def _sprite(coverage: Coverage, color: Color, level: int) -> pygame.Surface:
+    """A picture of one colour whose opacity is the coverage, times `level` / 256."""
+    opacity = coverage.astype(np.uint32)
+    if level < 256:
+        opacity *= np.uint32(level)
+        opacity += np.uint32(128)
+        opacity >>= np.uint32(8)
+    opacity <<= np.uint32(24)
+    opacity |= np.uint32(color[0] << 16 | color[1] << 8 | color[2])
+    height, width = coverage.shape
+    return pygame.image.frombuffer(opacity.data, (width, height), "BGRA")
