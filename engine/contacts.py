@@ -19,12 +19,6 @@ DAMPING = 10.0
 MOST_HERTZ = 60.0
 """Frequency of the spring (1/s), for substeps that are short enough to follow it."""
 
-HABIT = 0.05
-"""Share by which the mean impulse of a contact follows the present one, in a part of a tick."""
-
-CREEP = 1e-4
-"""Gaps smaller than this close no faster than overlaps open, in reaches of the smaller body."""
-
 PUSH = 4.0
 """Fastest correction of an overlap, in reaches of the smaller body a second (1/s)."""
 
@@ -44,8 +38,6 @@ def prepare(t: Tables, pair: int, half: float) -> None:
     old_1 = contacts.feature[first + 1]
     normal_0 = contacts.normal_impulse[first]
     normal_1 = contacts.normal_impulse[first + 1]
-    usual_0 = contacts.usual_impulse[first]
-    usual_1 = contacts.usual_impulse[first + 1]
     tangent_0 = contacts.tangent_impulse[first]
     tangent_1 = contacts.tangent_impulse[first + 1]
     points = touching_points(t, pair)
@@ -60,18 +52,14 @@ def prepare(t: Tables, pair: int, half: float) -> None:
         contacts.feature[row] = feature
         contacts.gap[row] = t.touch.gap[i]
         normal = 0.0
-        usual = 0.0
         tangent = 0.0
         if before > 0 and old_0 == feature:
             normal = normal_0
-            usual = usual_0
             tangent = tangent_0
         elif before > 1 and old_1 == feature:
             normal = normal_1
-            usual = usual_1
             tangent = tangent_1
         contacts.normal_impulse[row] = normal * share
-        contacts.usual_impulse[row] = (usual + HABIT * (normal - usual)) * share
         contacts.tangent_impulse[row] = tangent * share
         measure(t, pair, row, t.touch.x[i], t.touch.y[i])
 
@@ -227,9 +215,7 @@ def solve(t: Tables, pair: int, part: float, relaxing: bool) -> None:
         gap = contacts.gap[row]
         before = contacts.normal_impulse[row]
         if gap > 0.0:  # may close until the end of the part, but no faster
-            slow = CREEP * t.pairs.size[pair]
-            closing = rate * gap if gap < slow else rate * slow + 2.0 * (gap - slow) / part
-            change = -contacts.normal_mass[row] * (vx * nx + vy * ny + closing)
+            change = -contacts.normal_mass[row] * (vx * nx + vy * ny + 2.0 * gap / part)
         elif relaxing:
             change = -contacts.normal_mass[row] * (vx * nx + vy * ny)
         else:
@@ -237,7 +223,7 @@ def solve(t: Tables, pair: int, part: float, relaxing: bool) -> None:
             if bias < -PUSH * t.pairs.size[pair]:
                 bias = -PUSH * t.pairs.size[pair]
             change = -contacts.normal_mass[row] * stiff * (vx * nx + vy * ny + bias)
-            change -= soft * (before - contacts.usual_impulse[row])
+            change -= soft * before
         after = before + change
         if after < 0.0:
             after = 0.0

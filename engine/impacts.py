@@ -7,19 +7,27 @@ times their approach. Friction follows as an impulse against the sliding, at mos
 it comes second and never reverses the sliding, no impact gains energy.
 """
 
+import math
+
 from engine.manifolds.any_pair import touching_points
 from engine.meeting import STILL
 from engine.pose import advance, place
-from engine.tables import FREE, RESTING, Tables
+from engine.tables import FREE, RESTING, Bodies, Tables
+
+AGAIN = 6.0
+"""Bodies that met within so many substeps have just met."""
 
 
-def strike(t: Tables, pair: int, time: float, shortest: float, early: float, plastic: bool) -> bool:
+def strike(
+    t: Tables, pair: int, now: float, time: float, shortest: float, early: float, plastic: bool
+) -> bool:
     """Let a pair collide at `time` of the present part (s); return whether it rests from then on.
 
     Args:
         t: the tables.
         pair: which pair.
-        time: of the impact.
+        now: when the part began, since the tick began (s).
+        time: of the impact, since the part began (s).
         shortest: a flight shorter than this (s) is none: the bodies stay together.
         early: points that would touch within this time (s) are struck as well.
         plastic: whether to take restitution as zero, as the end of endless bouncing.
@@ -36,9 +44,11 @@ def strike(t: Tables, pair: int, time: float, shortest: float, early: float, pla
     if one < 0:
         return t.pairs.state[pair] == RESTING
     restitution = t.pairs.restitution[pair]
-    rests = plastic or stays(t, pair, restitution * speed, shortest)
+    again = now + time - t.pairs.struck[pair] < shortest * AGAIN
+    rests = plastic or stays(t, pair, restitution * speed, shortest, again)
     bounce = 1.0 if rests else 1.0 + restitution
-    exchange(t, pair, one, other, bounce, time)
+    exchange(t, pair, one, other, bounce, now + time)
+    t.pairs.struck[pair] = now + time
     t.pairs.state[pair] = RESTING if rests else FREE
     return rests
 
@@ -81,11 +91,11 @@ def approach(t: Tables, pair: int, point: int) -> float:
     return vx * t.touch.normal_x[0] + vy * t.touch.normal_y[0]
 
 
-def stays(t: Tables, pair: int, leaving: float, shortest: float) -> bool:
+def stays(t: Tables, pair: int, leaving: float, shortest: float, again: bool) -> bool:
     """Whether bodies that leave each other with a speed (m/s) are back before `shortest` (s).
 
     What drives them back is their relative acceleration, or, for bodies held by others, any of
-    the two accelerations.
+    the two accelerations; if they have just met (`again`), these in any direction.
     """
     bodies = t.bodies
     a = t.pairs.a[pair]
@@ -96,8 +106,16 @@ def stays(t: Tables, pair: int, leaving: float, shortest: float) -> bool:
     of_b = bodies.ax[b] * normal_x + bodies.ay[b] * normal_y
     fall = of_a - of_b
     if bodies.held[a] > 0 or bodies.held[b] > 0:
-        fall = (of_a if of_a > 0.0 else -of_a) + (of_b if of_b > 0.0 else -of_b)
+        if again:
+            fall = acceleration(bodies, a) + acceleration(bodies, b)
+        else:
+            fall = (of_a if of_a > 0.0 else -of_a) + (of_b if of_b > 0.0 else -of_b)
     return leaving <= STILL or 2.0 * leaving < fall * shortest
+
+
+def acceleration(bodies: Bodies, row: int) -> float:
+    """Size of the acceleration of a body by all but contacts (m/s^2)."""
+    return math.sqrt(bodies.ax[row] * bodies.ax[row] + bodies.ay[row] * bodies.ay[row])
 
 
 def exchange(t: Tables, pair: int, one: int, other: int, bounce: float, time: float) -> None:

@@ -205,7 +205,7 @@ def flight(t: Tables, pair: int, speed: float, piece: float) -> float:
     fall = (t.bodies.path_x[a] - t.bodies.path_x[b]) * t.touch.normal_x[0] + (
         t.bodies.path_y[a] - t.bodies.path_y[b]
     ) * t.touch.normal_y[0]
-    if fall * piece > speed:
+    if fall * piece > speed > 0.0:
         return speed / fall
     return piece
 

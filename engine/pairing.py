@@ -7,6 +7,7 @@ import numpy as np
 from engine.broadphase import fit_boxes, sort, sweep
 from engine.settings import Rule
 from engine.tables import (
+    NEVER,
     RESTING,
     Contacts,
     Links,
@@ -18,7 +19,7 @@ from engine.tables import (
     views,
 )
 
-CARRIED_OVER = ("state", "points", "carried", "part")
+CARRIED_OVER = ("state", "points", "carried", "part", "struck")
 """Columns of `Pairs` that a pair keeps when the list is made anew."""
 
 
@@ -58,6 +59,7 @@ def carry_over(t: Tables, pair_count: int, pairs: Pairs, contacts: Contacts, fou
     new = keys(pairs, found)
     at = np.searchsorted(old, new)
     at[at == len(old)] = 0
+    np.asarray(pairs.struck)[:found] = -NEVER
     known = np.flatnonzero(old[at] == new) if len(old) else np.zeros(0, np.int64)
     source = at[known]
     for name in CARRIED_OVER:

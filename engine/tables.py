@@ -180,6 +180,8 @@ class Pairs(NamedTuple):
     """Change of normal velocity that the resting contact brought about in its last part (m/s)."""
     part: Floats
     """Length of that part (s)."""
+    struck: Floats
+    """Time of the last impact since the present tick began (s), mostly negative."""
     meeting: Floats
     """When the two meet in the present part of the tick (s), or `NEVER`."""
     speed: Floats
@@ -210,8 +212,6 @@ class Contacts(NamedTuple):
     normal_impulse: Floats
     """Summed over the part (N s)."""
     tangent_impulse: Floats
-    usual_impulse: Floats
-    """Running mean of the normal impulse over the parts before (N s)."""
 
 
 class Touch(NamedTuple):

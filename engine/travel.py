@@ -38,13 +38,15 @@ def begin(t: Tables, count: int, pair_count: int, shortest: float) -> None:
         bodies.spin[row] += bodies.lead_spin[row]
 
 
-def end(t: Tables, count: int, integrator: int, dt: float) -> None:
+def end(t: Tables, count: int, pair_count: int, integrator: int, dt: float) -> None:
     """End a tick: take the lead back.
 
     The lead of the two Euler methods is a property of a flight, not of a tick: one that ends in
     rest keeps the velocity of the position, and one that begins gets its lead.
     """
     bodies = t.bodies
+    for pair in range(pair_count):
+        t.pairs.struck[pair] -= dt
     lead = 0.0
     if integrator == SEMI_IMPLICIT_EULER:
         lead = dt / 2.0
@@ -82,7 +84,7 @@ def travel(
             bodies.path_x[row] = bodies.ax[row]
             bodies.path_y[row] = bodies.ay[row]
             bodies.path_spin[row] = bodies.aspin[row]
-        held = hold(t, count, resting, part, substep) if resting > 0 else 0
+        held = hold(t, count, resting, now, part, substep) if resting > 0 else 0
         status, reached = meet_all(t, pair_count, held, now, part, dt, substep, limit)
         for row in range(count):
             advance(bodies, row, reached)
@@ -134,11 +136,8 @@ def meet_all(
         pairs.queue[at] = pairs.queue[queued]
         pairs.queued[pair] = 0
         pairs.meeting[pair] = NEVER
-        before = written[0]
         if written[1] < 2 * limit:
-            rests = strike(t, pair, time, substep, 0.0, written[1] >= limit)
-            if written[0] > before:
-                t.impacts.time[before] += now
+            rests = strike(t, pair, now, time, substep, 0.0, written[1] >= limit)
         else:
             rests = True
             pairs.state[pair] = RESTING

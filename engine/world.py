@@ -347,7 +347,7 @@ class World:
             elif status == ESCAPED:
                 self._stale = True
                 self._find_pairs(dt)
-        end(self.tables, self._count, self.laws.integrator, dt)
+        end(self.tables, self._count, self._pair_count, self.laws.integrator, dt)
         return collisions
 
     def _reported(self) -> list[Collision]:
