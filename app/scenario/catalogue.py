@@ -34,8 +34,9 @@ class Names:
 
     def has_probe(self, name: str) -> bool:
         """Whether there can be such a probe; whether it exists yet shows when it is read."""
-        return name in self.probes or any(
-            re.fullmatch(numbered(pattern), name) for pattern in self.probes if ".N." in pattern
+        return any(
+            re.fullmatch(numbered(known), name) if ".N." in known else name == known
+            for known in self.probes
         )
 
     def of(self, what: str) -> tuple[str, ...]:
@@ -94,7 +95,7 @@ def unknown_name(node: ScalarNode, names: Names, what: str) -> Refused:
     code, sentence = f"unknown-{what}", f"unknown {what} {quote(word)}"
     for screen in SCREENS:
         elsewhere = of_screen(screen)
-        if word in elsewhere.of(what) or (what == "probe" and elsewhere.has_probe(word)):
+        if elsewhere.has_probe(word) if what == "probe" else word in elsewhere.of(what):
             return refuse(node.place, code, sentence, f"it belongs to the screen '{screen}'")
     number = re.match(r"\w+\.([1-9][0-9]{0,4})\.", word)
     known = [name.replace(".N.", f".{number[1] if number else 1}.") for name in names.of(what)]

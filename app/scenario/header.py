@@ -46,7 +46,7 @@ class SizeKind:
         return width, height
 
     def schema(self) -> Schema:
-        return {"type": "string", "pattern": "^[0-9]{2,4}x[0-9]{2,4}$"}
+        return {"type": "string", "pattern": "^[0-9]{2,4}[xX×][0-9]{2,4}$"}
 
 
 _SIZE = re.compile(r"([0-9]{1,9})[xX×]([0-9]{1,9})")
