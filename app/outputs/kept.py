@@ -82,9 +82,11 @@ class Kept:
         if self._ended:
             return
         self._ended = True
-        with suppress(OSError):  # a disk that is full, and stays so, when the rest is flushed
-            self._encoder.abandon()
-        self._promise.drop()
+        try:
+            with suppress(OSError):  # a disk that is full stays so when the rest is flushed
+                self._encoder.abandon()
+        finally:
+            self._promise.drop()
 
     def _check(self) -> None:
         part = self._promise.part

@@ -1,5 +1,6 @@
 """H.264 in MP4 and VP9 in WebM: what slides, learning platforms and browsers play."""
 
+from concurrent.futures import Future, ThreadPoolExecutor
 from fractions import Fraction
 from pathlib import Path
 from typing import ClassVar, cast
@@ -7,7 +8,7 @@ from typing import ClassVar, cast
 import av
 import numpy as np
 from av.packet import Packet
-from av.video.reformatter import ColorRange, Colorspace
+from av.video.reformatter import ColorRange, Colorspace, VideoReformatter
 from av.video.stream import VideoStream
 
 from app.frames import Film, Frame, Moment, Pixels
@@ -20,11 +21,12 @@ BT709 = 1
 """As matrix, primaries and transfer: what players assume for pictures of this size."""
 
 
-def converted(pixels: Pixels) -> av.VideoFrame:
+def converted(pixels: Pixels, converter: VideoReformatter) -> av.VideoFrame:
     """The picture in yuv420p, limited range, BT.709, as players expect it."""
     height, width = pixels.shape
     channels = pixels.view(np.uint8).reshape(height, width, 4)
-    return av.VideoFrame.from_numpy_buffer(channels, format="bgra").reformat(
+    return converter.reformat(
+        av.VideoFrame.from_numpy_buffer(channels, format="bgra"),
         format="yuv420p",
         src_color_range=ColorRange.JPEG,
         dst_color_range=ColorRange.MPEG,
@@ -56,13 +58,19 @@ class _Video:
         context.color_range = ColorRange.MPEG
         context.colorspace = context.color_primaries = context.color_trc = BT709
         self._time_base = Fraction(1, film.fps)
+        self._converter = VideoReformatter()
+        self._thread = ThreadPoolExecutor(max_workers=1, thread_name_prefix="laws-video")
+        self._encoding: Future[None] | None = None
         self._frames = 0
         self._packets = 0
         self._bytes = 0
 
     def frame(self, frame: Frame) -> None:
-        """Convert the picture and encode it."""
-        self.encode(converted(frame.pixels), frame.index)
+        """Convert the picture, while the one before it is encoded."""
+        picture = converted(frame.pixels, self._converter)
+        if self._encoding is not None:
+            self._encoding.result()
+        self._encoding = self._thread.submit(self.encode, picture, frame.index)
 
     def encode(self, picture: av.VideoFrame, index: int) -> None:
         """Encode a picture that is in yuv420p already."""
@@ -76,6 +84,9 @@ class _Video:
 
     def finish(self) -> None:
         """Encode what is still waiting, write the index, and see that all of it arrived."""
+        if self._encoding is not None:
+            self._encoding.result()
+        self._thread.shutdown()
         if self._frames:
             self._write(self._stream.encode(None))
         self._file.close()
@@ -86,7 +97,8 @@ class _Video:
             raise OutputError(self._path, "the file was cut short; is the disk full?")
 
     def abandon(self) -> None:
-        """Close."""
+        """Close, once the picture in work is done."""
+        self._thread.shutdown(cancel_futures=True)
         self._file.close()
 
     def _write(self, packets: "list[Packet[VideoStream]]") -> None:
