@@ -12,7 +12,7 @@ import typer
 
 from app.cli import streams
 
-NEEDED = ("numpy", "pillow", "pydantic", "ruamel.yaml", "typer", "rich")
+NEEDED = ("numpy", "pillow", "ruamel.yaml", "typer", "rich")
 """Packages without which nothing works, besides pygame-ce."""
 
 
