@@ -9,6 +9,8 @@ from screens.kit import theme
 from screens.kit.events import Drag, Event, Release, Tap
 from screens.kit.geometry import Point, Rect
 from screens.kit.layout import layout
+from screens.kit.page import explanation_of
+from screens.kit.words import Words
 from screens.lesson import Lesson
 
 if TYPE_CHECKING:
@@ -29,14 +31,14 @@ FINGER = 9.0
 SIZES = ((14.0, 19.0), (12.0, 16.0), (10.0, 13.0))
 """Size and leading of captions (dp), the preferred ones first."""
 
-PADDING = 10.0
+PADDING = 8.0
 """Between a caption's words and its edge (dp)."""
 
 EDGE = 4.0
-"""By how much a caption is wider on each side than the words it covers (dp)."""
+"""By how much a caption's box is larger on each side than the words it covers (dp)."""
 
 STYLES = tuple(theme.Style(size, theme.MEDIUM, leading) for size, leading in SIZES)
-"""How captions are set: the first one in which the words fit."""
+"""How captions are set, the preferred one first."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,8 +62,9 @@ class Footprint:
 class Overlay:
     """Captions, ripples and trails, in film time: slow motion does not slow a ripple down."""
 
-    def __init__(self) -> None:
-        """Nothing to show yet."""
+    def __init__(self, words: Words) -> None:
+        """Nothing to show yet; `words` are those of the lessons."""
+        self._words = words
         self.caption = ""
         self.shows_captions = True
         self.shows_taps = True
@@ -93,7 +96,7 @@ class Overlay:
     def draw(self, surface: "Surface", lesson: Lesson, seconds: float) -> None:
         """Draw over a lesson that is drawn already; changes nothing."""
         if self.shows_captions and self.caption.strip():
-            draw_caption(surface, self.caption)
+            draw_caption(surface, self.caption, self._words, lesson.id)
         if self.shows_taps:
             self._draw_trail(surface, seconds)
             for ripple in self._ripples:
@@ -134,17 +137,31 @@ class Overlay:
             )
 
 
-def draw_caption(surface: "Surface", words: str) -> None:
-    """Draw the words in a box over the lesson's own words, never over its canvas."""
-    room = layout(surface.size).words.inset(-EDGE)
-    width = room.width - 2 * PADDING
-    for style in STYLES:
-        needed = surface.measure(words, style, width=width).height + 2 * PADDING
-        if needed <= room.height:
+def draw_caption(surface: "Surface", caption: str, words: Words, lesson_id: str) -> None:
+    """Draw a caption in place of the lesson's explanation, or of more of its words if it is long.
+
+    It never covers the canvas.
+    """
+    room = layout(surface.size).words
+    explanation = explanation_of(surface, room, words, lesson_id)
+    below_title = room.y + theme.TITLE.line_height
+    large, middle, small = STYLES
+    places = (
+        (explanation.y, large),
+        (explanation.y, middle),
+        (below_title, large),
+        (below_title, middle),
+        (room.y, middle),
+        (room.y, small),
+    )
+    width = room.width + 2 * EDGE - 2 * PADDING
+    for top, style in places:
+        needed = surface.measure(caption, style, width=width).height + 2 * PADDING
+        if top + needed <= room.bottom + EDGE:
             break
-    height = min(needed, room.height)
-    box = Rect(room.x, room.bottom - height, room.width, height)
+    bottom = min(max(top + needed, explanation.bottom + EDGE), room.bottom + EDGE)
+    box = Rect(room.x - EDGE, top, room.width + 2 * EDGE, bottom - top)
     surface.rect(box, theme.DIALOG, radius=theme.RADIUS, outline=theme.TEAL, outline_width=1)
-    at = Point(box.x + PADDING, box.y + PADDING)
+    at = Point(box.x + PADDING, box.y + max(PADDING, (box.height - needed) / 2 + PADDING))
     with surface.clip(box):
-        surface.text(words, at, style, theme.TEXT, width=width)
+        surface.text(caption, at, style, theme.TEXT, width=width)

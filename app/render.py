@@ -16,6 +16,7 @@ from app.session import Cue, Session
 from app.stage import set_stage
 from app.watcher import Watcher
 from screens.kit.surface import Surface
+from screens.kit.words import load_words
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +45,8 @@ def render(scenario: Scenario, watcher: Watcher | None = None) -> Rendered:
     player = Player(scenario, lesson, watcher.checked)
     with Deliverables(scenario.outputs, shots, film) as deliverables:
         sinks: list[Sink] = [*deliverables.sinks, report]
-        camera = Camera(Surface(width, height), Overlay(), sinks, film.fps, watcher.filmed)
+        overlay = Overlay(load_words(scenario.lang))
+        camera = Camera(Surface(width, height), overlay, sinks, film.fps, watcher.filmed)
 
         def heed(cue: Cue) -> None:
             if isinstance(cue, Screenshot):

@@ -29,19 +29,28 @@ def page(surface: "Surface", area: Layout, words: Words, id: str) -> None:
     surface.fill(theme.SURFACE)
     room = area.words
     title = surface.text(words(f"{id}.title"), (room.x, room.y), theme.TITLE, theme.TEXT)
-    law = surface.text(
+    surface.text(
         words(f"{id}.law"), (room.x, title.bottom + 1), theme.LAW, theme.TEXT, width=room.width
     )
+    place = explanation_of(surface, room, words, id)
     surface.text(
         words(f"{id}.explanation"),
-        (room.x, law.bottom + 3),
+        (place.x, place.y),
         theme.EXPLANATION,
         theme.TEXT_MEDIUM,
-        width=room.width,
+        width=place.width,
     )
     surface.rect(area.nav, theme.NAVIGATION)
     for numeral, place in zip(NUMERALS, navigation(area, words), strict=True):
         _way(surface, place, numeral, shown=place.id == f"nav.{id}")
+
+
+def explanation_of(surface: "Surface", room: Rect, words: Words, id: str) -> Rect:
+    """Where the explanation of a lesson lies within the room of its words, below title and law."""
+    law = surface.measure(words(f"{id}.law"), theme.LAW, width=room.width)
+    top = room.y + theme.TITLE.line_height + 1 + law.height + 3
+    needed = surface.measure(words(f"{id}.explanation"), theme.EXPLANATION, width=room.width)
+    return Rect(room.x, top, room.width, needed.height)
 
 
 def _way(surface: "Surface", place: Widget, numeral: str, shown: bool) -> None:

@@ -7,6 +7,7 @@ from app.scenario.mistakes import Place
 from app.scenario.model import Hide, Marker, Show, Speed
 from app.session import Session
 from screens.kit.events import Tap, Tick
+from screens.kit.words import load_words
 
 HERE = Place("test")
 
@@ -16,7 +17,7 @@ def run():
     def play(source, fps=60):
         lesson, collector, heard, waits = FakeLesson(), Collector(), [], []
         surface = FakeSurface()
-        camera = Camera(surface, Overlay(), [collector], fps)
+        camera = Camera(surface, Overlay(load_words()), [collector], fps)
         session = Session(lesson, camera, [collector], heard.append, lambda: waits.append(1))
         session.run(source)
         collector.heard, collector.waits, collector.draws = heard, waits, surface.draws
@@ -42,7 +43,7 @@ def test_a_world_that_stands_still_is_told_of_once(run):
     lesson = FakeLesson()
     lesson.update = lambda event: None  # a dialog is open: time does not reach the world
     collector = Collector()
-    camera = Camera(FakeSurface(), Overlay(), [collector], 60)
+    camera = Camera(FakeSurface(), Overlay(load_words()), [collector], 60)
     Session(lesson, camera, [collector], lambda cue: None).run([Tick()] * 5)
     assert collector.moments == [(0.0, 0)]
     assert len(collector.frames) == 6
