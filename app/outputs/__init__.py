@@ -22,7 +22,6 @@ __all__ = [
     "kind_of",
     "open_sink",
     "write_bytes",
-    "write_json",
 ]
 
 SUFFIXES = {
@@ -86,7 +85,7 @@ def check_output(path: str | os.PathLike[str], size: tuple[int, int], fps: int) 
 def open_sink(path: str | os.PathLike[str], film: "Film") -> "Sink":
     """Open an output of the kind its path asks for; its place is claimed before the first frame.
 
-    Raises OutputError. A report (.json) is no sink: see `write_json`.
+    Raises OutputError. A report (.json) is no sink.
     """
     check_output(path, (film.width, film.height), film.fps)
     kind = kind_of(path)
@@ -97,14 +96,3 @@ def open_sink(path: str | os.PathLike[str], film: "Film") -> "Sink":
     module, name = _ENCODERS[kind]
     encoder = getattr(importlib.import_module(module), name)
     return Kept(os.fspath(path), film, encoder, folder=kind == "png", pictures=kind != "csv")
-
-
-def write_json(path: str | os.PathLike[str], data: object) -> None:
-    """Write a report: sorted keys, UTF-8, floats in their shortest form that reads back the same.
-
-    Raises OutputError, and ValueError for a NaN or an infinity, which JSON does not have.
-    """
-    import json
-
-    text = json.dumps(data, indent=2, sort_keys=True, ensure_ascii=False, allow_nan=False)
-    write_bytes(path, (text + "\n").encode("utf-8"))

@@ -19,7 +19,7 @@ KINDS = ("film.mp4", "film.webm", "film.gif", "film.apng", "film.webp", "frames/
 
 def film(target: str, seconds: float, size: tuple[int, int]) -> None:
     """Make one film and print this process's peak (MB)."""
-    from scene import frames
+    from balls import frames
 
     from app.frames import Film, Frame, Moment
     from app.outputs import open_sink

@@ -1,4 +1,3 @@
-import json
 import subprocess
 import sys
 from pathlib import Path
@@ -7,7 +6,7 @@ import numpy as np
 import pytest
 
 from app.frames import Film, Frame
-from app.outputs import SUFFIXES, OutputError, check_output, kind_of, open_sink, write_json
+from app.outputs import SUFFIXES, OutputError, check_output, kind_of, open_sink
 
 
 @pytest.mark.parametrize(
@@ -71,22 +70,6 @@ def test_a_missing_extra_names_the_command(tmp_path: Path, monkeypatch: pytest.M
 def test_a_report_is_no_film(tmp_path: Path) -> None:
     with pytest.raises(OutputError, match="report"):
         open_sink(tmp_path / "film.json", Film(64, 48, 30, "Film"))
-
-
-def test_json_is_sorted_and_exact(tmp_path: Path) -> None:
-    data = {"b": [0.1, 1e-9, 2], "a": "Größe", "c": None}
-    write_json(tmp_path / "report.json", data)
-    text = (tmp_path / "report.json").read_text(encoding="utf-8")
-    assert json.loads(text) == data
-    assert text.index('"a"') < text.index('"b"') < text.index('"c"')
-    assert "Größe" in text
-    assert text.endswith("}\n")
-
-
-def test_json_without_nan(tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match="JSON"):
-        write_json(tmp_path / "report.json", {"a": float("nan")})
-    assert list(tmp_path.iterdir()) == []
 
 
 FILMS = [f"film{suffix}" for suffix in SUFFIXES if suffix not in (".json", ".csv")] + ["frames/"]
