@@ -1,7 +1,7 @@
 """A store of what was drawn before, bounded in bytes; what was used longest ago goes first."""
 
 from collections import OrderedDict
-from collections.abc import Callable, Hashable
+from collections.abc import Hashable
 from typing import Generic, TypeVar
 
 Value = TypeVar("Value")
@@ -20,19 +20,20 @@ class Cache(Generic[Value]):
         """How many values are held."""
         return len(self._held)
 
-    def get(
-        self, key: Hashable, make: Callable[[], Value], size_of: Callable[[Value], int]
-    ) -> Value:
-        """The value of `key`; `make` makes it if it is not held, `size_of` tells its bytes."""
+    def find(self, key: Hashable) -> Value | None:
+        """The value of `key`, or None if it is not held."""
         held = self._held.get(key)
-        if held is not None:
-            self._held.move_to_end(key)
-            return held[0]
-        value = make()
-        size = size_of(value)
+        if held is None:
+            return None
+        self._held.move_to_end(key)
+        return held[0]
+
+    def keep(self, key: Hashable, value: Value, size: int) -> Value:
+        """Hold a value of `size` bytes, unless it is larger than all the room; returns it."""
         if size <= self.limit:
+            before = self._held.pop(key, None)
+            self.size += size - (before[1] if before else 0)
             self._held[key] = (value, size)
-            self.size += size
             while self.size > self.limit:
                 self.size -= self._held.popitem(last=False)[1][1]
         return value

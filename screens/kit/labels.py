@@ -61,7 +61,9 @@ class Labels:
 
     def is_free(self, rect: Rect) -> bool:
         """Whether a label may stand there."""
-        return bool(self._free(np.array([[rect.x, rect.y]]), Size(rect.width, rect.height))[0])
+        taken = np.frombuffer(self._taken).reshape(-1, 4)
+        corner = np.array([[rect.x, rect.y]])
+        return bool(self._free(corner, Size(rect.width, rect.height), taken)[0])
 
     def place(
         self, size: Size, anchor: Point, gap: float = 6, prefer: Rect | None = None
@@ -80,34 +82,39 @@ class Labels:
     def _nearest(self, size: Size, anchor: Point, gap: float) -> Rect | None:
         """The first free place: the nearest ring first, then all the others."""
         spots = _spots(size, anchor, gap)
-        for near in (spots[: len(TURNS)], spots[len(TURNS) :]):
-            free = np.flatnonzero(self._free(near, size))
+        left, top = spots.min(axis=0) - MARGIN
+        right, bottom = spots.max(axis=0) + MARGIN + size
+        taken = np.frombuffer(self._taken).reshape(-1, 4)
+        near = taken[
+            (taken[:, 0] < right)
+            & (taken[:, 1] < bottom)
+            & (taken[:, 2] > left)
+            & (taken[:, 3] > top)
+        ]
+        for some in (spots[: len(TURNS)], spots[len(TURNS) :]):
+            free = np.flatnonzero(self._free(some, size, near))
             if free.size:
-                x, y = near[free[0]]
+                x, y = some[free[0]]
                 return Rect(float(x), float(y), size.width, size.height)
         return None
 
-    def _free(self, corners: NDArray[Any], size: Size) -> NDArray[Any]:
+    def _free(self, corners: NDArray[Any], size: Size, taken: NDArray[Any]) -> NDArray[Any]:
         """Which of the labels with these top left corners, shape (n, 2), cover nothing."""
         left, top = corners[:, :1], corners[:, 1:]
         right, bottom = left + size.width, top + size.height
         bounds = self.bounds
-        inside = (
+        free: NDArray[Any] = (
             (left >= bounds.x)
             & (top >= bounds.y)
             & (right <= bounds.right)
             & (bottom <= bounds.bottom)
         )[:, 0]
-        if not self._taken:
-            return inside
-        taken = np.frombuffer(self._taken).reshape(-1, 4)
-        hit = (
-            (left - MARGIN < taken[:, 2])
-            & (right + MARGIN > taken[:, 0])
-            & (top - MARGIN < taken[:, 3])
-            & (bottom + MARGIN > taken[:, 1])
-        )
-        return inside & ~hit.any(axis=1)
+        hit = left - MARGIN < taken[:, 2]
+        hit &= right + MARGIN > taken[:, 0]
+        hit &= top - MARGIN < taken[:, 3]
+        hit &= bottom + MARGIN > taken[:, 1]
+        free &= ~hit.any(axis=1)
+        return free
 
 
 def _spots(size: Size, anchor: Point, gap: float) -> NDArray[Any]:

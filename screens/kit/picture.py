@@ -3,9 +3,8 @@
 Masks, sprites and static layers are kept, within bounds, and used again.
 """
 
-from collections.abc import Callable, Hashable, Iterator
+from collections.abc import Hashable, Iterator
 from contextlib import contextmanager
-from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +20,8 @@ SPRITES = 24 << 20
 """Bytes that drawn shapes and words may take."""
 MASKS = 8 << 20
 """Bytes that coverage masks may take."""
+OVERHEAD = 500
+"""Bytes that holding a value takes beyond its pixels."""
 CHANGES = 1000
 """So many changed places are remembered before the whole picture counts as changed."""
 STRIP = 64
@@ -45,6 +46,8 @@ class Picture:
         self._surface = pygame.Surface((width, height), 0, 32, (0xFF0000, 0xFF00, 0xFF, 0))
         self._masks: Cache[Coverage] = like._masks if like else Cache(MASKS)
         self._sprites: Cache[pygame.Surface] = like._sprites if like else Cache(SPRITES)
+        self._clip = Box(0, 0, width, height)
+        """What may be painted."""
         self._ground: Picture | None = None
         """The layer that is shown, but for the changes."""
         self._changes: list[pygame.Rect] = []
@@ -55,41 +58,39 @@ class Picture:
         copy: NDArray[np.uint32] = np.bitwise_and(view, np.uint32(0xFFFFFF), order="C")
         return copy
 
-    def clip_box(self) -> Box:
-        """What may be painted."""
-        left, top, width, height = self._surface.get_clip()
-        return Box(left, top, left + width, top + height)
-
     @contextmanager
     def clip(self, box: Box) -> Iterator[None]:
         """Paint only inside `box`, and inside the clip around it."""
-        before = self._surface.get_clip()
-        inner = box.meet(self.clip_box())
-        self._surface.set_clip((inner.left, inner.top, *inner.extent))
+        before = self._clip
+        self._set_clip(box.meet(before))
         try:
             yield
         finally:
-            self._surface.set_clip(before)
+            self._set_clip(before)
+
+    def _set_clip(self, box: Box) -> None:
+        self._clip = box
+        self._surface.set_clip((box.left, box.top, *box.extent))
 
     def fill(self, color: Color, box: Box | None = None) -> None:
         """Paint a rectangle, or all that may be painted."""
-        inner = self.clip_box() if box is None else box.meet(self.clip_box())
+        inner = box.meet(self._clip) if box is not None else self._clip
         if inner.area:
             self._changed(self._surface.fill(color, (inner.left, inner.top, *inner.extent)))
 
     def darken(self, alpha: float) -> None:
         """Lay black of this opacity over everything."""
-        key = ("scrim", self.width)
-        full = partial(np.full, (STRIP, self.width), 255, np.uint8)
+        strip = np.full((STRIP, self.width), 255, np.uint8)
         for top in range(0, self.height, STRIP):
-            self.stamp(key, full, (0, 0, 0), alpha, 0, top)
+            if not self.restamp("scrim", (0, 0, 0), alpha, 0, top):
+                self.stamp("scrim", strip, (0, 0, 0), alpha, 0, top)
 
     def paint(self, shape: Shape, look: Look, color: Color, alpha: float) -> None:
         """Paint a shape given in pixels; one that lies outside costs nothing."""
         box = bounding_box(shape)
-        if box is None:
+        if box is None or alpha <= 0:
             return
-        seen = box.meet(self.clip_box())
+        seen = box.meet(self._clip)
         if not seen.area:
             return
         if box.area > self.width * self.height:
@@ -97,30 +98,37 @@ class Picture:
             self._changed(self._surface.blit(sprite, (seen.left, seen.top)))
             return
         home = shape.moved(-box.left, -box.top)
-        mask = partial(cover, home, look, Box(0, 0, *box.extent))
-        self.stamp((type(home), home, look), mask, color, alpha, box.left, box.top)
+        key = (type(home), home, look)
+        if not self.restamp(key, color, alpha, box.left, box.top):
+            mask = self._masks.find(key)
+            if mask is None:
+                mask = cover(home, look, Box(0, 0, *box.extent))
+            self.stamp(key, mask, color, alpha, box.left, box.top)
+
+    def mask(self, key: Hashable) -> Coverage | None:
+        """The mask that was stamped under this key, if it is still held."""
+        return self._masks.find(key)
+
+    def restamp(self, key: Hashable, color: Color, alpha: float, left: int, top: int) -> bool:
+        """Paint what was stamped under this key in this colour, if it is still held."""
+        sprite = self._sprites.find((key, color, _level(alpha)))
+        if sprite is None:
+            return False
+        self._changed(self._surface.blit(sprite, (left, top)))
+        return True
 
     def stamp(
-        self,
-        key: Hashable,
-        make: Callable[[], Coverage],
-        color: Color,
-        alpha: float,
-        left: int,
-        top: int,
+        self, key: Hashable, mask: Coverage, color: Color, alpha: float, left: int, top: int
     ) -> None:
-        """Paint the mask of `key` in a colour; `make` makes the mask if it is not held.
+        """Paint a mask in a colour, and keep both under `key`.
 
-        Masks and sprites are kept apart, as colours fade more often than shapes change.
+        They are kept apart, as colours fade more often than shapes change.
         """
         level = _level(alpha)
-        if level:
-            sprite = self._sprites.get(
-                (key, color, level),
-                lambda: _sprite(self._masks.get(key, make, _mask_bytes), color, level),
-                _sprite_bytes,
-            )
-            self._changed(self._surface.blit(sprite, (left, top)))
+        self._masks.keep(key, mask, mask.size + OVERHEAD)
+        sprite = _sprite(mask, color, level)
+        self._sprites.keep((key, color, level), sprite, 4 * mask.size + OVERHEAD)
+        self._changed(self._surface.blit(sprite, (left, top)))
 
     def show(self, layer: "Picture") -> None:
         """Show a finished layer of the same size; where it still shows, nothing is copied."""
@@ -130,7 +138,7 @@ class Picture:
             changes = [whole]
         for change in changes:
             self._surface.blit(layer._surface, change, change)
-        self._ground = layer if self._surface.get_clip() == whole else None
+        self._ground = layer if self._clip.extent == whole.size else None
         self._changes = []
 
     def _changed(self, place: pygame.Rect) -> None:
@@ -143,14 +151,6 @@ class Picture:
 def _level(alpha: float) -> int:
     """Opacity in 0..256."""
     return round(min(max(alpha, 0.0), 1.0) * 256)
-
-
-def _sprite_bytes(sprite: pygame.Surface) -> int:
-    return 4 * sprite.get_width() * sprite.get_height() + 500
-
-
-def _mask_bytes(mask: Coverage) -> int:
-    return mask.size + 500
 
 
 def _sprite(coverage: Coverage, color: Color, level: int) -> pygame.Surface:

@@ -36,7 +36,8 @@ class Box(NamedTuple):
     @property
     def area(self) -> int:
         """How many pixels it has; 0 if it is turned inside out."""
-        return max(0, self.right - self.left) * max(0, self.bottom - self.top)
+        width, height = self.extent
+        return width * height
 
     @property
     def extent(self) -> tuple[int, int]:
@@ -45,11 +46,12 @@ class Box(NamedTuple):
 
     def meet(self, other: "Box") -> "Box":
         """What both share."""
+        left, top, right, bottom = self
         return Box(
-            max(self.left, other.left),
-            max(self.top, other.top),
-            min(self.right, other.right),
-            min(self.bottom, other.bottom),
+            left if left > other.left else other.left,
+            top if top > other.top else other.top,
+            right if right < other.right else other.right,
+            bottom if bottom < other.bottom else other.bottom,
         )
 
 

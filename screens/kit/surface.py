@@ -1,8 +1,8 @@
 """A picture that is addressed in dp. Pixels exist only here and below."""
 
+import math
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from contextlib import contextmanager
-from functools import partial
 from typing import Literal
 
 import numpy as np
@@ -14,7 +14,7 @@ from screens.kit.geometry import Point, Rect, Size
 from screens.kit.picture import Picture
 from screens.kit.raster import FILLED, ArrowShape, Bar, Box, Disc, Hull, Look, Shape, Slab, Stroke
 from screens.kit.scale import scale_of
-from screens.kit.text import ASCENT, CAP_HEIGHT, DESCENT, FINE, LONGEST, Type, printable
+from screens.kit.text import ASCENT, CAP_HEIGHT, DESCENT, FINE, Type
 from screens.kit.theme import Color, Style
 
 Place = tuple[float, float]
@@ -53,7 +53,8 @@ class Surface:
         self.size = Size(width / self.scale, height / self.scale)
         """(dp)"""
         self.type: Type = _like.type if _like else Type(self.scale)
-        self._lines: Cache[list[tuple[str, float]]] = _like._lines if _like else Cache(1 << 20)
+        self._lines: Cache[list[tuple[str, int]]] = _like._lines if _like else Cache(1 << 20)
+        self._letters: Cache[tuple[float, int]] = _like._letters if _like else Cache(1 << 20)
         self._layers: Cache[Surface] = Cache(LAYERS)
 
     def pixels(self) -> NDArray[np.uint32]:
@@ -203,7 +204,7 @@ class Surface:
             baseline += above
         elif valign == "middle":
             baseline += (CAP_HEIGHT * em - (len(broken) - 1) * leading) / 2
-        widest = 0.0
+        widest = 0
         for row, (line, wide) in enumerate(broken):
             widest = max(widest, wide)
             left = at[0] * scale - _share(align) * wide
@@ -215,20 +216,20 @@ class Surface:
         self, words: str, center: Place, style: Style, color: Color, alpha: float = 1
     ) -> None:
         """A short word about a point that moves: placed to a quarter of a pixel."""
-        words = printable(words)[:LONGEST]
-        if not words.strip():
-            return
         x, y = center[0] * self.scale, center[1] * self.scale
-        if not (abs(x) < FAR and abs(y) < FAR):
+        if not (words and alpha > 0 and abs(x) < FAR and abs(y) < FAR):
             return
+        wide, rise = self._letter(words, style)
         em = self.type.pixels(style)
-        wide = self._fine_width(words, style)
         left, baseline = x - wide / 2, y + CAP_HEIGHT * em / 2
-        column, row = int(left // 1), int(baseline // 1)
+        column, row = math.floor(left), math.floor(baseline)
         right, down = int((left - column) * FINE), int((baseline - row) * FINE)
-        key = ("letter", words, style.weight, em, right, down)
-        mask = partial(self.type.floating, words, style, right, down)
-        self._picture.stamp(key, mask, color, alpha, column, row - self.type.rise(style))
+        key, place = ("letter", words, style.weight, em, right, down), (column, row - rise)
+        if not self._picture.restamp(key, color, alpha, *place):
+            mask = self._picture.mask(key)
+            if mask is None:
+                mask = self.type.floating(words, style, right, down)
+            self._picture.stamp(key, mask, color, alpha, *place)
 
     # -- the whole ----------------------------------------------------------------------------
 
@@ -246,13 +247,11 @@ class Surface:
 
         `key` must tell apart all that the picture depends on. The picture starts black and opaque.
         """
-
-        def make() -> Surface:
+        layer = self._layers.find(key)
+        if layer is None:
             layer = Surface(self.width, self.height, _like=self)
             paint(layer)
-            return layer
-
-        layer = self._layers.get(key, make, lambda _: 1)
+            self._layers.keep(key, layer, 1)
         self._picture.show(layer._picture)
 
     # -- below: pixels ------------------------------------------------------------------------
@@ -267,36 +266,40 @@ class Surface:
 
     def _break(
         self, words: str, style: Style, width: float | None, lines: int | None
-    ) -> list[tuple[str, float]]:
+    ) -> list[tuple[str, int]]:
         """The lines that words are broken into, and how wide each is (px)."""
         pixels = None if width is None else width * self.scale
-        return self._lines.get(
-            (words, style, pixels, lines),
-            lambda: [
+        key = (words, style, pixels, lines)
+        broken = self._lines.find(key)
+        if broken is None:
+            broken = [
                 (line, self.type.width(line, style))
                 for line in self.type.lines(words, style, pixels, lines)
-            ],
-            lambda broken: 200 + 100 * len(broken) + 2 * len(words),
-        )
+            ]
+            self._lines.keep(key, broken, 200 + 100 * len(broken) + 2 * len(words))
+        return broken
 
-    def _fine_width(self, words: str, style: Style) -> float:
-        """Width of a letter (px), to a quarter."""
-        return self._lines.get(
-            ("letter", words, style),
-            lambda: [(words, self.type.fine_width(words, style))],
-            lambda _: 300,
-        )[0][1]
+    def _letter(self, words: str, style: Style) -> tuple[float, int]:
+        """Width of a letter and the rows above its baseline (px)."""
+        found = self._letters.find((words, style))
+        if found is None:
+            found = self.type.fine_width(words, style), self.type.rise(style)
+            self._letters.keep((words, style), found, 200 + 2 * len(words))
+        return found
 
     def _line(
         self, line: str, left: float, baseline: float, style: Style, color: Color, alpha: float
     ) -> None:
-        if line and abs(left) < FAR and abs(baseline) < FAR:
-            em = self.type.pixels(style)
-            top = round(baseline) - self.type.font(style.weight, em).get_ascent()
-            mask = partial(self.type.line, line, style)
-            self._picture.stamp(
-                ("line", line, style.weight, em), mask, color, alpha, round(left), top
-            )
+        if not (line and alpha > 0 and abs(left) < FAR and abs(baseline) < FAR):
+            return
+        em = self.type.pixels(style)
+        top = round(baseline) - self.type.font(style.weight, em).get_ascent()
+        key, place = ("line", line, style.weight, em), (round(left), top)
+        if not self._picture.restamp(key, color, alpha, *place):
+            mask = self._picture.mask(key)
+            if mask is None:
+                mask = self.type.line(line, style)
+            self._picture.stamp(key, mask, color, alpha, *place)
 
     def _shape(
         self,

@@ -109,12 +109,15 @@ class Type:
 
     def fine_width(self, words: str, style: Style) -> float:
         """Width of a floating line (px), to a quarter."""
-        return self.font(style.weight, FINE * self.pixels(style)).size(words)[0] / FINE
+        return (
+            self.font(style.weight, FINE * self.pixels(style)).size(printable(words)[:LONGEST])[0]
+            / FINE
+        )
 
     def floating(self, words: str, style: Style, right: int, down: int) -> Coverage:
         """The mask of a short line shifted by `right` and `down` quarters of a pixel."""
         font = self.font(style.weight, FINE * self.pixels(style))
-        fine = _coverage(font, words)
+        fine = _coverage(font, printable(words)[:LONGEST])
         rise = self.rise(style)
         above = rise * FINE - font.get_ascent() + down
         rows = -(-(above + fine.shape[0]) // FINE)
