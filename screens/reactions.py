@@ -5,13 +5,12 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from engine import Body, Collision, Force, Particle, Push, Vector, Wall, World
-from screens.kit import arrows, hits, page, probes, theme
+from screens.kit import arrows, gauge, hits, page, probes, theme
 from screens.kit.bodies import conceal, enclose, opacity
 from screens.kit.canvas import Canvas
 from screens.kit.events import Event, Resize, Tap, Tick, Tilt
 from screens.kit.geometry import Point, Rect, Size
 from screens.kit.layout import GAP, TOUCH, Layout, columns, layout, rows
-from screens.kit.numbers import quantity
 from screens.kit.view import Room, View
 from screens.kit.widgets import NAVIGATION, navigation, touched
 from screens.kit.words import Words
@@ -36,18 +35,14 @@ LIGHTEST, HEAVIEST = 0.125, 16.0
 """Range of the masses that can be tapped, in masses of the first ball."""
 PER_IMPULSE, LONGEST = 32.0, 72.0
 """Length of the arrow of an impulse (dp per N s), and how long it can get (dp)."""
-ARROWS, LABELS = 6, 3
+ARROWS, LABELS = 5, 3
 """How many hits at once show their impulses, and how many say how great they are: the strongest."""
 FAINTEST = 0.02
 """The least impulse that gets a label (N s)."""
+NEAR = 0.95
+"""An arrow nearer to the middle of a ball than this many radii is hidden by it."""
 BESIDE = 7.0
 """How far beside the ball the arrow of the push on a wall is drawn (dp)."""
-TILT = theme.Style(12, theme.MEDIUM, 16)
-"""How the tilt is set."""
-GAUGE = 20.0
-"""Radius of the gauge of the tilt (dp)."""
-FULL_TILT = 45.0
-"""Tilt that brings the point of the gauge to its rim (degrees)."""
 CROSS = 6.0
 """Half the size of the cross where a ball found no room (dp)."""
 NOTICE = 1.5
@@ -168,19 +163,18 @@ class Reactions:
         surface.static(key, self._draw_page)
         canvas = Canvas(surface, self.view.frame, self.room)
         canvas.labels.block(canvas.bar_room())
-        for body in self.world:
-            if isinstance(body.shape, Wall):
-                a, b = (canvas.view.to_screen(end) for end in (body.shape.start, body.shape.end))
-                canvas.labels.block_line(a, b, theme.WALL_WIDTH)
+        for ends in INNER:
+            a, b = (canvas.view.to_screen(self._in_room(end)) for end in ends)
+            canvas.labels.block_line(a, b, theme.WALL_WIDTH)
         shown = hits.strongest(self.hits, ARROWS)
-        for hit in shown:
-            self._draw_impulses(canvas, hit)
-        for ball in self.balls:
-            self._draw_ball(canvas, ball)
+        drawn = [shaft for hit in shown for shaft in self._draw_impulses(canvas, hit)]
+        for number, ball in enumerate(self.balls):
+            self._draw_ball(canvas, ball, LETTERS[number], drawn)
         for hit in hits.strongest(shown, LABELS):
             self._draw_label(canvas, hit)
         self._draw_refusal(canvas)
-        self._draw_gauge(surface)
+        place = _readouts(layout(self.size))[0]
+        gauge.draw(surface, place, self.tilt, self.force, self.words)
         self._draw_numbers(surface)
 
     def _draw_page(self, surface: "Surface") -> None:
@@ -217,16 +211,24 @@ class Reactions:
             valign="middle",
         )
 
-    def _draw_ball(self, canvas: Canvas, ball: Body) -> None:
-        number = self.balls.index(ball)
-        color = theme.BODY_COLORS[number % len(theme.BODY_COLORS)]
+    def _draw_ball(
+        self, canvas: Canvas, ball: Body, letter: str, drawn: Sequence[tuple[Vector, Vector]]
+    ) -> None:
+        """A ball, over the arrows `drawn` already (their ends, m): none may cross its letter."""
+        radius = self.radius(ball.mass)
+        if any(_distance(ball.position, *shaft) < NEAR * radius for shaft in drawn):
+            conceal(canvas, ball)
+        color = theme.BODY_COLORS[LETTERS.index(letter) % len(theme.BODY_COLORS)]
         first = self.chosen["particle.mass"]
         shade = opacity(ball.mass, LIGHTEST * first, HEAVIEST * first)
-        conceal(canvas, ball)
-        canvas.body(ball, color, shade, LETTERS[number])
+        canvas.body(ball, color, shade, letter)
 
-    def _draw_impulses(self, canvas: Canvas, hit: Collision) -> None:
-        """What b received, with a solid head, and what a received, with a hollow one."""
+    def _draw_impulses(self, canvas: Canvas, hit: Collision) -> list[tuple[Vector, Vector]]:
+        """What b received, with a solid head, and what a received, with a hollow one.
+
+        Returns where the arrows start and end (m).
+        """
+        shafts = []
         faded = hits.fading(hit, self.world.time)
         for body, other, sign, kind in (
             (hit.b, hit.a, 1.0, arrows.FORCE),
@@ -238,7 +240,9 @@ class Reactions:
                 start = self._beside(canvas, hit, other, reach)
             else:
                 start = canvas.edge(body, impulse)
-            canvas.arrow(start, reach, kind, faded)
+            tip = canvas.view.to_world(canvas.arrow(start, reach, kind, faded))
+            shafts.append((Vector(*start), tip))
+        return shafts
 
     def _beside(
         self, canvas: Canvas, hit: Collision, ball: Body, reach: tuple[float, float]
@@ -280,26 +284,6 @@ class Reactions:
             canvas.surface.capsule(a, b, 2.5, theme.TEXT, faded)
         words = self.words(f"reactions.{name}", count=str(len(LETTERS)))
         canvas.label(words, at, theme.TEXT, faded, gap=12)
-
-    def _draw_gauge(self, surface: "Surface") -> None:
-        """A point that rolls to where the tilt pushes, and the tilt and the force in figures."""
-        words, place = self.words, _readouts(layout(self.size))[0]
-        center = Point(place.x + GAUGE, place.y + GAUGE)
-        surface.circle(center, GAUGE, None, outline=theme.OUTLINE, outline_width=1)
-        for x, y in ((GAUGE, 0.0), (0.0, GAUGE)):
-            a, b = Point(center.x - x, center.y - y), Point(center.x + x, center.y + y)
-            surface.line(a, b, 1, theme.HAIRLINE)
-        x, y = self.tilt.roll / FULL_TILT, self.tilt.pitch / FULL_TILT
-        within = (GAUGE - 6) / max(1.0, math.sqrt(x * x + y * y))
-        surface.circle((center.x + x * within, center.y + y * within), 5, theme.PURPLE)
-        degree = words("unit.degree")
-        roll, pitch = quantity(self.tilt.roll, degree), quantity(self.tilt.pitch, degree)
-        tilt = words("reactions.tilt", roll=roll, pitch=pitch)
-        left = place.x + 2 * GAUGE + 8
-        surface.text(tilt, (left, place.y + 3), TILT, theme.TEXT)
-        shown = page.measured(hits.size(self.force), words("unit.N"), 2)
-        force = words("reactions.force", force=shown)
-        surface.text(force, (left, place.y + 21), theme.SMALL, theme.TEXT_MEDIUM)
 
     def _draw_numbers(self, surface: "Surface") -> None:
         """How many collisions there were, and the impulse of the last one."""
@@ -404,8 +388,9 @@ def controls(area: Layout) -> tuple[Rect, Rect, Rect, Rect]:
 def _distance(at: Vector, start: Vector, end: Vector) -> float:
     """From a point to a line segment (m)."""
     along = Vector(end.x - start.x, end.y - start.y)
+    square = along.x * along.x + along.y * along.y
     part = (at.x - start.x) * along.x + (at.y - start.y) * along.y
-    part = min(max(part / (along.x * along.x + along.y * along.y), 0.0), 1.0)
+    part = min(max(part / square, 0.0), 1.0) if square > 0.0 else 0.0
     return math.dist(at, (start.x + part * along.x, start.y + part * along.y))
 
 
@@ -413,6 +398,6 @@ def _readouts(area: Layout) -> list[Rect]:
     """Places of the gauge, of the number of collisions and of the last impulse."""
     if area.portrait:
         return page.shares(area.readouts, (176.0, 70.0, 82.0))
-    gauge, numbers = Rect(*area.readouts[:3], 2 * GAUGE), area.readouts
-    below = Rect(numbers.x, numbers.bottom - 30, numbers.width, 30.0)
-    return [gauge, *columns(below, 2)]
+    x, y, width, _ = area.readouts
+    below = Rect(x, area.readouts.bottom - 30, width, 30.0)
+    return [Rect(x, y, width, gauge.HEIGHT), *columns(below, 2)]
