@@ -81,7 +81,7 @@ class Labels:
 
     def _nearest(self, size: Size, anchor: Point, gap: float) -> Rect | None:
         """The first free place: the nearest ring first, then all the others."""
-        spots = _spots(size, anchor, gap)
+        spots = self._pushed_inside(_spots(size, anchor, gap), size)
         left, top = spots.min(axis=0) - MARGIN
         right, bottom = spots.max(axis=0) + MARGIN + size
         taken = np.frombuffer(self._taken).reshape(-1, 4)
@@ -97,6 +97,14 @@ class Labels:
                 x, y = some[free[0]]
                 return Rect(float(x), float(y), size.width, size.height)
         return None
+
+    def _pushed_inside(self, corners: NDArray[Any], size: Size) -> NDArray[Any]:
+        """The same places, but none across a side of the canvas, if the label fits into it."""
+        bounds = self.bounds
+        low = np.array([bounds.x, bounds.y])
+        high = np.array([bounds.right - size.width, bounds.bottom - size.height])
+        inside: NDArray[Any] = np.maximum(np.minimum(corners, high), low)
+        return inside
 
     def _free(self, corners: NDArray[Any], size: Size, taken: NDArray[Any]) -> NDArray[Any]:
         """Which of the labels with these top left corners, shape (n, 2), cover nothing."""

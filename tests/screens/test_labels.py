@@ -73,3 +73,8 @@ def test_there_may_be_no_place():
     assert labels.place(Size(400, 20), Point(150, 300)) is None
     labels.block(BOUNDS)
     assert labels.place(Size(20, 20), Point(150, 300)) is None
+
+
+def test_a_label_beside_the_border_is_pushed_inside():
+    place = Labels(BOUNDS).place(Size(120, 20), Point(344, 300), gap=6)
+    assert place == Rect(226, 274, 120, 20)
