@@ -4,8 +4,8 @@
 
 Alone: the same frames, converted to yuv420p beforehand, through the same encoder with the same
 settings. Whole: simulate, draw, convert, encode and write the shipped Reactions scenario at
-720x1280 and 30 fps. Rounds alternate; the best of each counts. On a busy machine only the processor times
-tell anything: the whole export needs a second core for what libx264 does not do.
+720x1280 and 30 fps. Rounds alternate; the best of each counts. On a busy machine only the times of
+the processor tell anything: the whole export needs a second core for what libx264 does not do.
 """
 
 import tempfile
