@@ -1,14 +1,15 @@
 """The command line `laws`: one file per command. Heavy imports wait until a command needs them."""
 
+import gc
 import os
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # numpy's threads cost start-up, help nothing
+gc.disable()  # imports make no garbage; who draws turns it on again
 
-import sys
-import traceback
+import sys  # noqa: E402
 
-from app.cli import program, streams
-from app.cli.stopping import Stopped, heed_signals
+from app.cli import program, streams  # noqa: E402
+from app.cli.stopping import Stopped, heed_signals  # noqa: E402
 
 
 def main() -> None:
@@ -22,8 +23,12 @@ def main() -> None:
         sys.exit(stopped.exit_code)
     except Exception as error:  # noqa: BLE001 - the outermost door: a person gets one sentence
         if debug:
+            import traceback
+
             traceback.print_exc()
         else:
             said = " ".join(str(error).split()) or type(error).__name__
             streams.say(f"laws: something went wrong: {said}; run again with --debug for details")
         sys.exit(1)
+    finally:
+        gc.freeze()  # nothing to look for any more: the process ends

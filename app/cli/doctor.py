@@ -1,12 +1,10 @@
 """`laws doctor`: whether this installation works, and what to do if not."""
 
 import os
-import platform
 import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from tempfile import TemporaryFile
 
 import typer
 
@@ -41,6 +39,8 @@ def doctor() -> None:
 
 
 def _python() -> Iterator[Finding]:
+    import platform
+
     from app.installation import DISTRIBUTION, installed
 
     state = "ok" if sys.version_info >= (3, 11) else "bad"
@@ -86,9 +86,8 @@ def _drawing() -> Iterator[Finding]:
     if pygame_trouble() is not None:
         return
     try:
-        from screens.kit.surface import Surface
-
         from screens.kit import theme
+        from screens.kit.surface import Surface
 
         surface = Surface(360, 640)
         surface.text("F = m a", surface.size and (16, 16), theme.TITLE, theme.TEXT)
@@ -107,6 +106,8 @@ def _words() -> Iterator[Finding]:
 
 
 def _folder() -> Iterator[Finding]:
+    from tempfile import TemporaryFile
+
     try:
         with TemporaryFile(dir=os.curdir):
             yield Finding("ok", f"can write here, in {Path.cwd()}")

@@ -1,5 +1,6 @@
 """Carries scenarios out for the commands, and turns what comes of it into words and exit codes."""
 
+import gc
 import os
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
@@ -55,7 +56,8 @@ def _produce(
 
 
 def ready(watcher: Watcher) -> bool:
-    """Whether pictures can be drawn at all; says why not."""
+    """Whether pictures can be drawn at all; says why not, or prepares for a longer run."""
+    gc.enable()
     trouble = pygame_trouble()
     if trouble is not None:
         complain(trouble, watcher)
