@@ -114,5 +114,10 @@ def watching(*, quiet: bool, json: bool) -> Iterator[Watcher]:
             MofNCompleteColumn(),
             TextColumn("{task.fields[doing]}", markup=False),
         )
-        with Progress(*columns, console=Console(file=sys.stderr), transient=True) as progress:
+        with Progress(
+            *columns,
+            console=Console(file=sys.stderr),
+            transient=True,
+            redirect_stdout=sys.stdout.isatty(),
+        ) as progress:
             yield Bar(progress)

@@ -32,13 +32,13 @@ def page(surface: "Surface", area: Layout, words: Words, id: str) -> None:
     surface.text(
         words(f"{id}.law"), (room.x, title.bottom + 1), theme.LAW, theme.TEXT, width=room.width
     )
-    place = explanation_of(surface, room, words, id)
+    below = explanation_of(surface, room, words, id)
     surface.text(
         words(f"{id}.explanation"),
-        (place.x, place.y),
+        (below.x, below.y),
         theme.EXPLANATION,
         theme.TEXT_MEDIUM,
-        width=place.width,
+        width=below.width,
     )
     surface.rect(area.nav, theme.NAVIGATION)
     for numeral, place in zip(NUMERALS, navigation(area, words), strict=True):
