@@ -121,6 +121,8 @@ def relax(t: Tables, resting: int, count: int, part: float) -> None:
             bodies.kick_y[row] = bodies.vy[row]
             bodies.kick_spin[row] = bodies.spin[row]
     for k in range(resting):
+        turn_by_shift(t, t.pairs.resting[k])
+    for k in range(resting):
         pair = t.pairs.resting[k]
         if t.pairs.state[pair] == RESTING:
             move_arms(t, pair)
@@ -132,6 +134,45 @@ def relax(t: Tables, resting: int, count: int, part: float) -> None:
             bodies.spin[row] = bodies.kick_spin[row]
 
 
+def share_of_a(t: Tables, pair: int) -> float:
+    """Which part of their relative motion the contact makes on the side of a: a round body and one
+    on an immovable one carry the contact with them.
+    """
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    if bodies.inverse_mass[a] == 0.0 or bodies.corners[b] == 1:
+        return 1.0
+    if bodies.inverse_mass[b] == 0.0 or bodies.corners[a] == 1:
+        return 0.0
+    return 0.5
+
+
+def turn_by_shift(t: Tables, pair: int) -> None:
+    """Correct the torque of a contact whose bodies were struck while it acted.
+
+    Its impulse acts all through the part; the lever arms were those of undisturbed paths. What an
+    impact adds to the mean positions adds to the arms, or angular momentum would not be kept.
+    """
+    bodies = t.bodies
+    contacts = t.contacts
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    x = bodies.shift_x[b] - bodies.shift_x[a]
+    y = bodies.shift_y[b] - bodies.shift_y[a]
+    if x == 0.0 and y == 0.0:
+        return
+    of_a = share_of_a(t, pair)
+    nx = t.pairs.normal_x[pair]
+    ny = t.pairs.normal_y[pair]
+    for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
+        jx = contacts.normal_impulse[row] * nx - contacts.tangent_impulse[row] * ny
+        jy = contacts.normal_impulse[row] * ny + contacts.tangent_impulse[row] * nx
+        turn = x * jy - y * jx
+        bodies.kick_spin[a] -= of_a * turn * bodies.inverse_inertia[a]
+        bodies.kick_spin[b] -= (1.0 - of_a) * turn * bodies.inverse_inertia[b]
+
+
 def move_arms(t: Tables, pair: int) -> None:
     """Follow the bodies from the middle of the part to its end: gaps and one common point."""
     bodies = t.bodies
@@ -141,11 +182,7 @@ def move_arms(t: Tables, pair: int) -> None:
     x = (bodies.x[b] - bodies.middle_x[b]) - (bodies.x[a] - bodies.middle_x[a])
     y = (bodies.y[b] - bodies.middle_y[b]) - (bodies.y[a] - bodies.middle_y[a])
     closer = x * t.pairs.normal_x[pair] + y * t.pairs.normal_y[pair]
-    of_a = 0.5
-    if bodies.inverse_mass[a] == 0.0 or bodies.corners[b] == 1:
-        of_a = 1.0  # a round body carries the point with it
-    elif bodies.inverse_mass[b] == 0.0 or bodies.corners[a] == 1:
-        of_a = 0.0
+    of_a = share_of_a(t, pair)
     for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
         contacts.gap[row] += closer
         contacts.a_x[row] += of_a * x
@@ -302,6 +339,8 @@ def place_middle(t: Tables, count: int, half: float) -> None:
             bodies.path_x[row] = 0.0
             bodies.path_y[row] = 0.0
             bodies.path_spin[row] = 0.0
+            bodies.shift_x[row] = 0.0
+            bodies.shift_y[row] = 0.0
             place(bodies, t.corners, row, half)
             bodies.middle_x[row] = bodies.here_x[row]
             bodies.middle_y[row] = bodies.here_y[row]

@@ -185,8 +185,8 @@ def search(t: Tables, pair: int, start: float, end: float, bound: float) -> None
         step = gap / bound if gap > piece * bound else piece
         later = time + step if time + step < end else end
         after = gap_at(t, pair, later)
-        if after < 0.0:
-            if gap > 0.0:
+        if after <= tiny:
+            if after < 0.0 < gap:
                 later = root(t, pair, time, gap, later, after)
             speed = approach_at(t, pair, later)
             if speed > STILL:

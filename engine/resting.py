@@ -34,9 +34,10 @@ def settle(t: Tables, count: int, pair_count: int, shortest: float) -> int:
     resting = 0
     for pair in range(pair_count):
         notice_passing(t, pair)
+        if pairs.state[pair] == FREE:
+            pairs.points[pair] = 0
         if pairs.state[pair] == FREE and nearly_touch(t, pair) and comes_to_rest(t, pair, shortest):
             pairs.state[pair] = RESTING
-            pairs.points[pair] = 0
             pairs.carried[pair] = 0.0
         if pairs.state[pair] == RESTING:
             pairs.resting[resting] = pair
@@ -108,10 +109,11 @@ def hold(t: Tables, count: int, resting: int, now: float, part: float, shortest:
                 explained = settling_speed(t, pair, part)
                 if has_parted(t, pair, explained):
                     t.pairs.state[pair] = FREE
+                    t.pairs.points[pair] = 0
                     continue
                 room = t.impacts.written[0] < len(t.impacts.a)
                 if room and not again and slaps(t, pair, part, explained):
-                    strike(t, pair, now, 0.0, shortest, part, False)
+                    strike(t, pair, now, 0.0, part, shortest, part, False)
                     struck = True
                 t.pairs.resting[kept] = pair
                 kept += 1

@@ -111,6 +111,9 @@ class Bodies(NamedTuple):
     middle_x: Floats
     """Position in the middle of the present part (m)."""
     middle_y: Floats
+    shift_x: Floats
+    """By which impacts moved the mean position over the present part, if the body is held (m)."""
+    shift_y: Floats
     here_x: Floats
     """Position for which the body was last placed (m)."""
     here_y: Floats

@@ -137,15 +137,13 @@ def meet_all(
         pairs.queued[pair] = 0
         pairs.meeting[pair] = NEVER
         if written[1] < 2 * limit:
-            rests = strike(t, pair, now, time, substep, 0.0, written[1] >= limit)
+            rests = strike(t, pair, now, time, part, substep, 0.0, written[1] >= limit)
         else:
             rests = True
             pairs.state[pair] = RESTING
         written[1] += 1
-        if rests:
-            pairs.points[pair] = 0
-            if held == 0 and time < part:
-                return DONE, time
+        if rests and held == 0 and time < part:
+            return DONE, time
         a = pairs.a[pair]
         b = pairs.b[pair]
         left = dt - now - time
