@@ -38,6 +38,8 @@ INSET = 12.0
 """Between the words in a lane and its sides (dp)."""
 STRONG = theme.Style(12, theme.SEMIBOLD, 16)
 """How the force of a lane is set."""
+FITS = len("10.0 kg")
+"""Longest words on a cart; a longer mass is shown without its unit."""
 WAITING = 0.45
 """Opacity of the arrow of a force that does not act yet."""
 
@@ -199,7 +201,8 @@ class Forces:
         """Draw what is."""
         area = layout(self.size)
         chosen = tuple((cart.body.mass, cart.acceleration) for cart in self.carts.values())
-        surface.static((self.id, self.size, self.begun is None, chosen), self._draw_page)
+        key = (self.id, self.words.file, self.size, self.begun is None, chosen)
+        surface.static(key, self._draw_page)
         for cart in self.carts.values():
             self._draw_cart(surface, cart)
         for place, cart in zip(_readouts(area), self.carts.values(), strict=True):
@@ -248,6 +251,8 @@ class Forces:
         front = body.x + CART / 2
         if front < RIGHT + 2 * CART:
             mass = page.chosen(body.mass, words("unit.kg"))
+            if len(mass) > FITS:
+                mass = page.chosen(body.mass, "")
             conceal(canvas, body)
             canvas.body(body, theme.TEAL, opacity(body.mass, *MASS), mass)
             reach = body.vx * PER_SPEED * view.scale

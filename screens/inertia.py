@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from engine import Collision, Force, Polygon, Push, Vector, World
 from screens.kit import arrows, hits, page, probes, theme
-from screens.kit.bodies import enclose, opacity
+from screens.kit.bodies import conceal, enclose, fitting, opacity
 from screens.kit.canvas import Canvas
 from screens.kit.dial import STRONGEST, ForceDial
 from screens.kit.events import Event, Resize, Tap, Tick
@@ -139,10 +139,12 @@ class Inertia:
     def draw(self, surface: "Surface") -> None:
         """Draw what is."""
         area = layout(self.size)
-        surface.static((self.id, self.size, bool(self.push)), self._draw_page)
+        key = (self.id, self.words.file, self.size, self.room, bool(self.push))
+        surface.static(key, self._draw_page)
         canvas = Canvas(surface, self.view.frame, self.room)
         canvas.labels.block(canvas.bar_room())
         canvas.trail([at for at in self.trail if math.dist(at, self.body.position) > RADIUS])
+        conceal(canvas, self.body)
         canvas.body(self.body, theme.TEAL, opacity(self.body.mass, LIGHT, HEAVY))
         self._draw_vectors(canvas)
         for place, (_, shown, color) in zip(_readouts(area), self._numbers(), strict=True):
@@ -181,13 +183,14 @@ class Inertia:
             edge, aside = canvas.edge(self.body, velocity), self._aside(velocity)
             scale = canvas.view.scale
             start = (edge[0] + aside.x / scale, edge[1] + aside.y / scale)
-            tip = canvas.arrow(start, hits.reach(velocity, PER_SPEED, LONGEST), arrows.VELOCITY)
+            reach = hits.reach(velocity, PER_SPEED, LONGEST)
+            tip = _arrow(canvas, start, reach, arrows.VELOCITY)
             shown = "v " + page.measured(self.body.speed, words("unit.speed"), 2)
             labels.append((shown, tip, theme.YELLOW, 1.0))
         if self.push and self.force != (0.0, 0.0):
             start = canvas.edge(self.body, self.force)
             reach = hits.reach(self.force, PER_NEWTON, LONGEST)
-            tip = canvas.arrow(start, reach, arrows.FORCE)
+            tip = _arrow(canvas, start, reach, arrows.FORCE)
             shown = "F " + page.measured(hits.size(self.force), words("unit.N"), 1)
             labels.append((shown, tip, theme.ORANGE, 1.0))
         for shown, anchor, color, faded in labels:
@@ -254,6 +257,14 @@ class Inertia:
         part = BESIDE * max(along / sizes, 0.0) ** 2 if sizes else 0.0
         speed = hits.size(velocity)
         return Vector(-velocity.y / speed * part, velocity.x / speed * part)
+
+
+def _arrow(
+    canvas: Canvas, at: tuple[float, float], reach: tuple[float, float], kind: arrows.Kind
+) -> Point:
+    """An arrow (from m, by dp) as long as the canvas lets it be; returns its tip (dp)."""
+    part = fitting(canvas, at, reach)
+    return canvas.arrow(at, (reach[0] * part, reach[1] * part), kind)
 
 
 def _readouts(area: Layout) -> list[Rect]:

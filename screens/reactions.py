@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from engine import Body, Collision, Force, Particle, Push, Vector, Wall, World
 from screens.kit import arrows, gauge, hits, page, probes, theme
-from screens.kit.bodies import conceal, enclose, opacity
+from screens.kit.bodies import conceal, distance, enclose, fitting, opacity
 from screens.kit.canvas import Canvas
 from screens.kit.events import Event, Resize, Tap, Tick, Tilt
 from screens.kit.geometry import Point, Rect, Size
@@ -159,7 +159,7 @@ class Reactions:
 
     def draw(self, surface: "Surface") -> None:
         """Draw what is."""
-        key = (self.id, self.size, self.ball_mass)
+        key = (self.id, self.words.file, self.size, self.room, self.ball_mass)
         surface.static(key, self._draw_page)
         canvas = Canvas(surface, self.view.frame, self.room)
         canvas.labels.block(canvas.bar_room())
@@ -216,7 +216,9 @@ class Reactions:
     ) -> None:
         """A ball, over the arrows `drawn` already (their ends, m): none may cross its letter."""
         radius = self.radius(ball.mass)
-        if any(_distance(ball.position, *shaft) < NEAR * radius for shaft in drawn):
+        center, bar = canvas.view.to_screen(ball.position), canvas.bar_room()
+        is_on_bar = bar.inset(-radius * canvas.view.scale).holds(center)
+        if is_on_bar or any(distance(ball.position, *way) < NEAR * radius for way in drawn):
             conceal(canvas, ball)
         color = theme.BODY_COLORS[LETTERS.index(letter) % len(theme.BODY_COLORS)]
         first = self.chosen["particle.mass"]
@@ -228,19 +230,27 @@ class Reactions:
 
         Returns where the arrows start and end (m).
         """
-        shafts = []
         faded = hits.fading(hit, self.world.time)
-        for body, other, sign, kind in (
-            (hit.b, hit.a, 1.0, arrows.FORCE),
-            (hit.a, hit.b, -1.0, arrows.REACTION),
-        ):
-            impulse = Vector(sign * hit.impulse.x, sign * hit.impulse.y)
-            reach = hits.reach(impulse, PER_IMPULSE, LONGEST)
-            if body.is_wall:
-                start = self._beside(canvas, hit, other, reach)
-            else:
-                start = canvas.edge(body, impulse)
-            tip = canvas.view.to_world(canvas.arrow(start, reach, kind, faded))
+        reach = hits.reach(hit.impulse, PER_IMPULSE, LONGEST)
+        ends = [
+            (body, other, (sign * reach[0], sign * reach[1]), kind)
+            for body, other, sign, kind in (
+                (hit.b, hit.a, 1.0, arrows.FORCE),
+                (hit.a, hit.b, -1.0, arrows.REACTION),
+            )
+        ]
+        # Both are shortened alike, so that they are seen to be equal.
+        part = min(
+            fitting(canvas, canvas.edge(body, way), way) if not body.is_wall else 1.0
+            for body, _, way, _ in ends
+        )
+        shafts = []
+        for body, other, whole, kind in ends:
+            way = (whole[0] * part, whole[1] * part)
+            start = (
+                self._beside(canvas, hit, other, way) if body.is_wall else canvas.edge(body, way)
+            )
+            tip = canvas.view.to_world(canvas.arrow(start, way, kind, faded))
             shafts.append((Vector(*start), tip))
         return shafts
 
@@ -348,7 +358,7 @@ class Reactions:
         """Whether a ball touches neither an inner wall nor another ball."""
         gaps = [math.dist(place, b.position) - self.radius(b.mass) for b in self.balls]
         for start, end in INNER:
-            gaps.append(_distance(place, self._in_room(start), self._in_room(end)))
+            gaps.append(distance(place, self._in_room(start), self._in_room(end)))
         return min(gaps) > radius
 
     def _in_room(self, part: tuple[float, float]) -> Vector:
@@ -383,15 +393,6 @@ def controls(area: Layout) -> tuple[Rect, Rect, Rect, Rect]:
     heavier = Rect(stepper.right - TOUCH, stepper.y, TOUCH, TOUCH)
     between = Rect(lighter.right, stepper.y, heavier.x - lighter.right, TOUCH)
     return lighter, heavier, between, clear
-
-
-def _distance(at: Vector, start: Vector, end: Vector) -> float:
-    """From a point to a line segment (m)."""
-    along = Vector(end.x - start.x, end.y - start.y)
-    square = along.x * along.x + along.y * along.y
-    part = (at.x - start.x) * along.x + (at.y - start.y) * along.y
-    part = min(max(part / square, 0.0), 1.0) if square > 0.0 else 0.0
-    return math.dist(at, (start.x + part * along.x, start.y + part * along.y))
 
 
 def _readouts(area: Layout) -> list[Rect]:

@@ -2,11 +2,15 @@
 
 import math
 
-from engine import Body, Circle, Particle, Polygon, Wall, World
+from engine import Body, Circle, Particle, Polygon, Vector, Wall, World
 from screens.kit import theme
 from screens.kit.canvas import Canvas
 from screens.kit.view import Room
 
+HEAD_ROOM = 3.0
+"""What stays free between the head of an arrow and the border of the canvas (dp)."""
+SHORTEST = 0.3
+"""Arrows that would leave the canvas are shortened to this part of themselves at most."""
 SIDES = ("left", "top", "right", "bottom")
 
 
@@ -32,6 +36,22 @@ def opacity(mass: float, light: float, heavy: float) -> float:
     return 0.3 + 0.65 * min(max(part, 0.0), 1.0)
 
 
+def fitting(canvas: Canvas, at: tuple[float, float], reach: tuple[float, float]) -> float:
+    """How much of an arrow may be drawn for its head to stay in the canvas, 0.3..1.
+
+    `at` is where it starts (m), `reach` how far it goes (dp, +y up).
+    """
+    start, within = canvas.view.to_screen(at), canvas.rect.inset(HEAD_ROOM)
+    part = 1.0
+    for here, way, low, high in (
+        (start.x, reach[0], within.x, within.right),
+        (start.y, -reach[1], within.y, within.bottom),
+    ):
+        if way != 0.0:
+            part = min(part, ((high if way > 0.0 else low) - here) / way)
+    return max(part, SHORTEST)
+
+
 def conceal(canvas: Canvas, body: Body) -> None:
     """Hide what is drawn already where a body will be, so that nothing shows through a pale one."""
     view, shape = canvas.view, body.shape
@@ -42,3 +62,12 @@ def conceal(canvas: Canvas, body: Body) -> None:
         elif isinstance(shape, Circle | Particle):
             center, radius = view.to_screen(body.position), shape.radius * view.scale
             canvas.surface.circle(center, radius, theme.CANVAS)
+
+
+def distance(at: Vector, start: Vector, end: Vector) -> float:
+    """From a point to a line segment (m)."""
+    along = Vector(end.x - start.x, end.y - start.y)
+    square = along.x * along.x + along.y * along.y
+    part = (at.x - start.x) * along.x + (at.y - start.y) * along.y
+    part = min(max(part / square, 0.0), 1.0) if square > 0.0 else 0.0
+    return math.dist(at, (start.x + part * along.x, start.y + part * along.y))

@@ -18,6 +18,8 @@ EDGE = 12.0
 GAP = 8.0
 TOUCH = 40.0
 """Least height of what is touched."""
+UPRIGHT = 1.1
+"""From this ratio of height to width on a screen has one column."""
 NAV = 56.0
 """Height of the navigation of an upright screen."""
 
@@ -42,8 +44,8 @@ class Layout(NamedTuple):
 
 
 def layout(size: Size) -> Layout:
-    """Divide a screen: one column if it is upright or square, words beside the canvas if not."""
-    return _upright(size) if size.height >= size.width else _across(size)
+    """Divide a screen: one column if it is upright, words beside the canvas if not."""
+    return _upright(size) if size.height >= UPRIGHT * size.width else _across(size)
 
 
 def _upright(size: Size) -> Layout:
