@@ -67,7 +67,10 @@ class Camera:
         fps: int,
         filmed: Callable[[int], None] = lambda frames: None,
     ) -> None:
-        """Draw on `surface`, hand every frame to all `sinks`, tell `filmed` how many there are."""
+        """Draw on `surface`, hand every frame to all `sinks`, tell `filmed` how many there are.
+
+        Without sinks frames are only counted: who wants the numbers alone waits for no drawing.
+        """
         self.clock = FilmClock(fps)
         self.overlay = overlay
         self.hidden = False
@@ -112,13 +115,14 @@ class Camera:
         return self._draw(lesson, self.seconds)
 
     def _film(self, lesson: Lesson, index: int) -> None:
-        seconds = index / self.clock.fps
-        if self._picture is None or self.overlay.is_moving(seconds):
-            self._picture = self._draw(lesson, seconds)
-        frame = Frame(index, self._picture)
-        for sink in self._sinks:
-            sink.frame(frame)
-        self._filmed(self.clock.frames)
+        if self._sinks:
+            seconds = index / self.clock.fps
+            if self._picture is None or self.overlay.is_moving(seconds):
+                self._picture = self._draw(lesson, seconds)
+            frame = Frame(index, self._picture)
+            for sink in self._sinks:
+                sink.frame(frame)
+        self._filmed(index + 1)
 
     def _draw(self, lesson: Lesson, seconds: float) -> Pixels:
         lesson.draw(self._surface)

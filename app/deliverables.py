@@ -35,7 +35,7 @@ class Deliverables:
         `pictures` are the paths of screenshots that will be taken.
         """
         self._film = film
-        self._films: dict[str, Sink] = {}
+        self._sinks: dict[str, Sink] = {}
         self._reports: dict[str, Promise] = {}
         self._made: list[Output] = []
         try:
@@ -48,9 +48,14 @@ class Deliverables:
             raise NotBegun(str(error)) from error
 
     @property
-    def sinks(self) -> Sequence[Sink]:
-        """Where frames and moments go."""
-        return tuple(self._films.values())
+    def films(self) -> Sequence[Sink]:
+        """Where frames go."""
+        return tuple(sink for path, sink in self._sinks.items() if kind_of(path) not in DATA)
+
+    @property
+    def tracks(self) -> Sequence[Sink]:
+        """Where moments go."""
+        return tuple(sink for path, sink in self._sinks.items() if kind_of(path) in DATA)
 
     def __enter__(self) -> "Deliverables":
         """Nothing is done yet."""
@@ -73,10 +78,10 @@ class Deliverables:
     def finish(self, report: Report, checks: Sequence[Check], watcher: Watcher) -> list[Output]:
         """Finish all of them, the reports last; raises OutputError if one cannot be finished."""
         outputs = list(self._made)
-        for path in tuple(self._films):
+        for path in tuple(self._sinks):
             watcher.finishing(path)
-            self._films[path].close()
-            del self._films[path]
+            self._sinks[path].close()
+            del self._sinks[path]
             outputs.append(described(path, report.frames, self._film.fps))
             watcher.wrote(outputs[-1])
         films = tuple(outputs)
@@ -94,10 +99,10 @@ class Deliverables:
             self._reports[path] = Promise(path)
         else:
             sink = open_sink(path, self._film)
-            self._films[path] = sink if kind_of(path) in DATA else Background(sink)
+            self._sinks[path] = sink if kind_of(path) in DATA else Background(sink)
 
     def _put_away(self) -> None:
-        for sink in self._films.values():
+        for sink in self._sinks.values():
             sink.abort()
         for promise in self._reports.values():
             promise.drop()

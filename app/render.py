@@ -5,7 +5,7 @@ from fractions import Fraction
 
 from app.camera import Camera
 from app.deliverables import Deliverables
-from app.frames import Film, Sink
+from app.frames import Film
 from app.overlay import Overlay
 from app.player import Player
 from app.report import Output, Report
@@ -44,9 +44,13 @@ def render(scenario: Scenario, watcher: Watcher | None = None) -> Rendered:
     shots = [shot.path for shot in pictures(scenario.steps)]
     player = Player(scenario, lesson, watcher.checked)
     with Deliverables(scenario.outputs, shots, film) as deliverables:
-        sinks: list[Sink] = [*deliverables.sinks, report]
+
+        def filmed(frames: int) -> None:
+            report.frames = frames
+            watcher.filmed(frames)
+
         overlay = Overlay(load_words(scenario.lang))
-        camera = Camera(Surface(width, height), overlay, sinks, film.fps, watcher.filmed)
+        camera = Camera(Surface(width, height), overlay, deliverables.films, film.fps, filmed)
 
         def heed(cue: Cue) -> None:
             if isinstance(cue, Screenshot):
@@ -55,7 +59,8 @@ def render(scenario: Scenario, watcher: Watcher | None = None) -> Rendered:
             watcher.heard(cue, camera.seconds)
 
         watcher.begun(scenario, expected_frames(scenario))
-        Session(lesson, camera, sinks, heed).run(player.play())
+        listeners = [report.moment, *(track.moment for track in deliverables.tracks)]
+        Session(lesson, camera, listeners, heed).run(player.play())
         outputs = deliverables.finish(report, player.checks, watcher)
     return Rendered(tuple(outputs), camera.clock.frames, tuple(player.failures()))
 

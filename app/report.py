@@ -11,7 +11,7 @@ from importlib.metadata import version
 from pathlib import PurePath
 from typing import Any
 
-from app.frames import Frame, Moment
+from app.frames import Moment
 from app.player import Check
 from app.scenario.model import Caption, Expect, Marker, Scenario, Screenshot
 from app.session import Cue
@@ -98,13 +98,13 @@ class Collisions:
 
 
 class Report:
-    """Listens to a run like an output, and tells about it at the end."""
+    """Listens to a run, and tells about it at the end."""
 
     def __init__(self, scenario: Scenario) -> None:
         """For one run of `scenario`."""
         self._scenario = scenario
         self.frames = 0
-        """Of the film, so far."""
+        """Of the film; whoever films it says how many."""
         self._collisions = Collisions()
         self._digests: list[dict[str, Any]] = []
         self._last: Moment | None = None
@@ -114,10 +114,6 @@ class Report:
             "screenshots": [],
         }
 
-    def frame(self, frame: Frame) -> None:
-        """Count it."""
-        self.frames = frame.index + 1
-
     def moment(self, moment: Moment) -> None:
         """Keep its collisions, and once a second a digest of its world."""
         for hit in moment.collisions:
@@ -125,12 +121,6 @@ class Report:
         if moment.world.tick % 60 == 0:
             self._digests.append({"t": moment.time, "digest": moment.world.digest()})
         self._last = moment
-
-    def close(self) -> None:
-        """Nothing to finish: others write it."""
-
-    def abort(self) -> None:
-        """Nothing to drop."""
 
     def heed(self, cue: Cue, film: float, time: float) -> None:
         """Note a cue, at film time `film` and at time `time` of the world (both s)."""

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Sequence
 from weakref import WeakKeyDictionary
 
 from app.camera import Camera
-from app.frames import Moment, Sink
+from app.frames import Moment
 from app.scenario.model import Caption, Hide, Marker, Screenshot, Show, Speed
 from engine import World
 from screens.kit.events import Event, Tick
@@ -28,14 +28,14 @@ class Session:
         self,
         lesson: Lesson,
         camera: Camera,
-        sinks: Sequence[Sink],
+        listeners: Sequence[Callable[[Moment], None]],
         heed: Callable[[Cue], None],
         pace: Callable[[], None] = never_wait,
     ) -> None:
-        """Moments go to `sinks`, cues that are not for the camera to `heed`; `pace` may wait."""
+        """Every moment goes to `listeners`, every cue to `heed`; `pace` may wait after a tick."""
         self.lesson = lesson
         self.camera = camera
-        self._sinks = sinks
+        self._listeners = listeners
         self._heed = heed
         self._pace = pace
         self._told: WeakKeyDictionary[World, int] = WeakKeyDictionary()
@@ -65,8 +65,8 @@ class Session:
             return
         self._told[world] = world.tick
         moment = Moment(world.time, world, self.lesson.collisions)
-        for sink in self._sinks:
-            sink.moment(moment)
+        for listen in self._listeners:
+            listen(moment)
 
     def _direct(self, cue: Cue) -> None:
         match cue:

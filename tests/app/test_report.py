@@ -4,7 +4,7 @@ from types import SimpleNamespace
 import pytest
 from fake_lesson import FakeLesson
 
-from app.frames import Frame, Moment
+from app.frames import Moment
 from app.json_text import document
 from app.player import Check
 from app.report import Collisions, Output, Report
@@ -36,8 +36,7 @@ def hit(n=0):
 
 
 def test_the_header_says_what_was_made(report):
-    for index in range(31):
-        report.frame(Frame(index, None))
+    report.frames = 31
     said = read(report)
     assert said["title"] == "Push"
     assert said["alt"] == "A push."

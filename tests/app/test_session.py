@@ -18,7 +18,7 @@ def run():
         lesson, collector, heard, waits = FakeLesson(), Collector(), [], []
         surface = FakeSurface()
         camera = Camera(surface, Overlay(load_words()), [collector], fps)
-        session = Session(lesson, camera, [collector], heard.append, lambda: waits.append(1))
+        session = Session(lesson, camera, [collector.moment], heard.append, lambda: waits.append(1))
         session.run(source)
         collector.heard, collector.waits, collector.draws = heard, waits, surface.draws
         return collector
@@ -44,7 +44,7 @@ def test_a_world_that_stands_still_is_told_of_once(run):
     lesson.update = lambda event: None  # a dialog is open: time does not reach the world
     collector = Collector()
     camera = Camera(FakeSurface(), Overlay(load_words()), [collector], 60)
-    Session(lesson, camera, [collector], lambda cue: None).run([Tick()] * 5)
+    Session(lesson, camera, [collector.moment], lambda cue: None).run([Tick()] * 5)
     assert collector.moments == [(0.0, 0)]
     assert len(collector.frames) == 6
 
@@ -74,3 +74,11 @@ def test_ripples_move_in_slow_motion(run):
 def test_cues_are_heeded_in_order(run):
     cues = [Marker(HERE, "one"), Tick(), Marker(HERE, "two")]
     assert [cue.name for cue in run(cues).heard] == ["one", "two"]
+
+
+def test_without_films_frames_are_counted_but_not_drawn():
+    surface, counts = FakeSurface(), []
+    camera = Camera(surface, Overlay(load_words()), [], 30, counts.append)
+    Session(FakeLesson(), camera, [], lambda cue: None).run([Tick()] * 4)
+    assert counts == [1, 2, 3]
+    assert surface.draws == 0
