@@ -199,10 +199,28 @@ class Forces:
 
     def draw(self, surface: "Surface") -> None:
         """Draw what is."""
+        if not self.dialog:
+            self._draw_scene(surface)
+            return
+        # Below an open dialog nothing moves.
+        still = (self.world.digest(), self.dialog.cart)
+        surface.static((*self._key, *still), self._draw_below)
+        self.dialog.draw(surface)
+
+    @property
+    def _key(self) -> tuple[object, ...]:
+        carts = self.carts.values()
+        chosen = tuple((cart.body.mass, cart.acceleration, cart.finish_time) for cart in carts)
+        return (self.id, self.words.file, self.size, self.begun, chosen)
+
+    def _draw_below(self, surface: "Surface") -> None:
+        self._draw_scene(surface)
+        if self.dialog:
+            self.dialog.draw_ground(surface)
+
+    def _draw_scene(self, surface: "Surface") -> None:
         area = layout(self.size)
-        chosen = tuple((cart.body.mass, cart.acceleration) for cart in self.carts.values())
-        key = (self.id, self.words.file, self.size, self.begun is None, chosen)
-        surface.static(key, self._draw_page)
+        surface.static(self._key, self._draw_page)
         for cart in self.carts.values():
             self._draw_cart(surface, cart)
         for place, cart in zip(_readouts(area), self.carts.values(), strict=True):
@@ -210,8 +228,6 @@ class Forces:
             shown = page.measured(cart.body.speed, self.words("unit.speed"), 2)
             page.value(surface, speed, shown, theme.YELLOW)
             page.value(surface, time, page.measured(self._time(cart), self.words("unit.s"), 2))
-        if self.dialog:
-            self.dialog.draw(surface)
 
     def _draw_page(self, surface: "Surface") -> None:
         """Draw all that stays as it is from frame to frame."""

@@ -138,9 +138,26 @@ class Inertia:
 
     def draw(self, surface: "Surface") -> None:
         """Draw what is."""
+        if not self.dialog:
+            self._draw_scene(surface)
+            return
+        # Below an open dialog nothing moves.
+        still = (self.world.digest(), self.force, bool(self.push), self.trail, len(self.hits))
+        surface.static((*self._key, *still), self._draw_below)
+        self.dialog.draw(surface, self.body)
+
+    @property
+    def _key(self) -> tuple[object, ...]:
+        return (self.id, self.words.file, self.size, self.room)
+
+    def _draw_below(self, surface: "Surface") -> None:
+        self._draw_scene(surface)
+        if self.dialog:
+            self.dialog.draw_ground(surface, self.body)
+
+    def _draw_scene(self, surface: "Surface") -> None:
         area = layout(self.size)
-        key = (self.id, self.words.file, self.size, self.room, bool(self.push))
-        surface.static(key, self._draw_page)
+        surface.static((*self._key, bool(self.push)), self._draw_page)
         canvas = Canvas(surface, self.view.frame, self.room)
         canvas.labels.block(canvas.bar_room())
         canvas.trail([at for at in self.trail if math.dist(at, self.body.position) > RADIUS])
@@ -149,8 +166,6 @@ class Inertia:
         self._draw_vectors(canvas)
         for place, (_, shown, color) in zip(_readouts(area), self._numbers(), strict=True):
             page.value(surface, place, shown, color)
-        if self.dialog and isinstance(self.body.shape, Polygon):
-            self.dialog.draw(surface, self.body.shape, self.body.angle, self.body.mass)
 
     def _draw_page(self, surface: "Surface") -> None:
         """Draw all that stays as it is from frame to frame."""

@@ -93,15 +93,18 @@ class CartDialog:
             shown.append(Widget(f"{name}.field", self.field(name), ""))
         return shown
 
-    def draw(self, surface: "Surface") -> None:
-        """Draw the dialog."""
+    def draw_ground(self, surface: "Surface") -> None:
+        """Draw what stays whatever is chosen, over the screen below."""
         page.dialog(surface, self.panel, self.head, self.words(f"forces.{self.cart}"))
-        for name, entry in self.entries.items():
-            self._draw_entry(surface, name, entry)
-        self._draw_force(surface)
         cancel, accept = self.widgets()[1:3]
         page.plain_button(surface, cancel)
         page.filled_button(surface, accept)
+
+    def draw(self, surface: "Surface") -> None:
+        """Draw the quantities and the force over the ground."""
+        for name, entry in self.entries.items():
+            self._draw_entry(surface, name, entry)
+        self._draw_force(surface)
 
     @property
     def panel(self) -> Rect:

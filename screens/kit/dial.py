@@ -3,7 +3,7 @@
 import math
 from typing import TYPE_CHECKING
 
-from engine import Polygon, Vector
+from engine import Body, Polygon, Vector
 from screens.kit import page, theme
 from screens.kit.events import Drag, Event, Key, Release, Resize, Tap
 from screens.kit.geometry import Point, Rect, Size
@@ -85,19 +85,24 @@ class ForceDial:
             Widget("force.arrow", handle, ""),
         ]
 
-    def draw(self, surface: "Surface", shape: Polygon, angle: float, mass: float) -> None:
-        """Draw the dialog about a body of some shape, angle (rad) and mass (kg)."""
+    def draw_ground(self, surface: "Surface", body: Body) -> None:
+        """Draw what stays while the arrow is dragged, over the screen below; `body` is pushed."""
         words = self.words
         page.dialog(surface, self.panel, self.head, words("dial.title"), words("dial.hint"))
         self._draw_rings(surface)
-        self._draw_body(surface, shape, angle)
-        self._draw_arrow(surface)
-        for rect, label, value, color in self._numbers(mass):
+        if isinstance(body.shape, Polygon):
+            self._draw_body(surface, body.shape, body.angle)
+        for rect, label, _, _ in self._numbers(body.mass):
             page.heading(surface, rect, label)
-            page.value(surface, rect, value, color)
         _, cancel, accept, _ = self.widgets()
         page.plain_button(surface, cancel)
         page.filled_button(surface, accept)
+
+    def draw(self, surface: "Surface", body: Body) -> None:
+        """Draw the arrow and the numbers over the ground."""
+        self._draw_arrow(surface)
+        for rect, _, value, color in self._numbers(body.mass):
+            page.value(surface, rect, value, color)
 
     @property
     def panel(self) -> Rect:
