@@ -13,7 +13,8 @@ Pixels = NDArray[np.uint32]
 """Shape (height, width), each 0x00RRGGBB, C-contiguous; its bytes are B, G, R, 0."""
 
 
-class Frame(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Frame:
     """One picture of a film; it is shown from index/fps to (index + 1)/fps."""
 
     index: int
