@@ -1,1 +1,1 @@
-"""Where events come from and where frames go: scenario files, outputs, the one loop, the commands."""
+"""Where events come from and where frames go: scenarios, outputs, the one loop, the commands."""

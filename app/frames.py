@@ -23,7 +23,7 @@ class Frame:
 
 
 class Moment(NamedTuple):
-    """The state of the world after a tick (or at the start). Read it at once: the world moves on."""
+    """The world after a tick, or at the start. Read it at once: the world moves on."""
 
     time: float
     """Simulated time of the world (s)."""

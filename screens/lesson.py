@@ -66,7 +66,7 @@ class Lesson(Protocol):
         """Draw what is; change nothing."""
 
     def widgets(self) -> Sequence[Widget]:
-        """All that can be touched now, in drawing order: the last one that holds a point gets it."""
+        """All that can be touched now, in drawing order: the last that holds a point gets it."""
 
     def probes(self) -> Mapping[str, float]:
         """Every number a scenario may ask for, in SI units (angles in radians), by name."""
