@@ -11,12 +11,19 @@ from PIL import Image
 from app.frames import Film, Frame, Moment, Pixels
 from app.outputs.changes import Box, changed, whole
 from app.outputs.palette import SIZE, TRANSPARENT, Palette
+from screens.kit import theme
 
 FASTEST = 50
 """Pictures per second: browsers show a delay under two hundredths of a second as ten."""
 
 LONGEST = 0xFFFF
 """Hundredths of a second that one picture may last."""
+
+EXACT = (
+    *(theme.SURFACE, theme.CANVAS, theme.NAVIGATION, theme.DIALOG, theme.TEXT, theme.WALL),
+    *(theme.TEAL, theme.ORANGE, theme.YELLOW, theme.PURPLE),
+)
+"""Colours that a pupil tells things apart by: exact however late they appear."""
 
 _KEEP = 1 << 2  # disposal: the next picture is drawn over this one
 _FOR_EVER = b"\x21\xff\x0bNETSCAPE2.0\x03\x01\x00\x00\x00"
@@ -36,7 +43,7 @@ class Gif:
         self._file = part.open("wb")
         self._fps = film.fps
         self._stride = -(-film.fps // FASTEST)
-        self._palette = Palette()
+        self._palette = Palette(EXACT)
         self._seen: Pixels | None = None
         self._waiting: tuple[Box, bytes, int] | None = None
         """The last picture: its box, its compressed data, when it appears (hundredths)."""

@@ -1,5 +1,7 @@
 """The colours of a GIF: chosen while the film runs, so that it need not be seen twice."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -10,29 +12,34 @@ TRANSPARENT = 0
 FLAT = 64
 """Pixels from which a colour counts as an area when it is met, not as a soft edge."""
 
+GOOD = 12
+"""Distance to its entry at which a colour is settled; until then it may come back as an area."""
+
 CANDIDATES = 4096
 """Colours compared at once; of more new ones in one frame, the commonest stand for entries."""
 
 _Steps = tuple[tuple[int, int], ...]
 
-_TOLERANCE: _Steps = ((64, 1), (96, 6), (160, 10), (208, 20), (240, 40))
+_TOLERANCE: _Steps = ((64, 1), (112, 8), (160, 16), (200, 28))
 """(entries in use, distance): up to so many, a colour that far from all others gets its own."""
 
-_FLAT_TOLERANCE: _Steps = ((208, 1), (240, 4), (SIZE, 8))
+_FLAT_TOLERANCE: _Steps = ((176, 1), (216, 4), (240, 8), (SIZE, 16))
 """The same for areas: exact as long as there is plenty of room; the last entries are theirs."""
 
 
 class Palette:
     """One global palette that grows: colours of areas first, then those unlike any other.
 
-    A colour keeps the entry it got when it was first seen, so what stands still does not flicker.
-    The later a colour comes, the more it must differ to get an entry of its own: some room is left
-    for the dialog, the arrow, the label that only appear near the end.
+    A colour keeps an entry that suits it, so what stands still does not flicker. The later a colour
+    comes, the more it must differ to get an entry of its own: some room is left for the dialog, the
+    arrow, the label that only appear near the end.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, first: Sequence[tuple[int, int, int]] = ()) -> None:
+        """`first`: colours (red, green, blue) that have entries from the start, so stay exact."""
         self._colours = np.zeros((SIZE, 3), np.int32)
-        self._used = 1
+        self._used = 1 + len(first)
+        self._colours[1 : self._used] = np.reshape(first, (len(first), 3))
         # A page of it costs memory only when one of its colours is met.
         self._table = np.zeros(1 << 24, np.uint8)
 
@@ -41,27 +48,30 @@ class Palette:
         indices = self._table.take(pixels, mode="clip")
         unknown = indices == TRANSPARENT
         if unknown.any():
-            met = pixels[unknown]
-            self._learn(met)
-            indices[unknown] = self._table.take(met)
+            indices[unknown] = self._learn(pixels[unknown])
         return indices
 
     def colours(self) -> bytes:
         """The table as a GIF stores it: red, green, blue for each of the 256 entries."""
         return self._colours.astype(np.uint8).tobytes()
 
-    def _learn(self, pixels: NDArray[np.uint32]) -> None:
-        """Give entries to the most telling of the new colours, then each colour its nearest."""
-        values, counts = np.unique(pixels, return_counts=True)
+    def _learn(self, pixels: NDArray[np.uint32]) -> NDArray[np.uint8]:
+        """Give entries to the most telling of the unknown colours, then each pixel its nearest."""
+        values, inverse, counts = np.unique(pixels, return_inverse=True, return_counts=True)
         rgb = np.stack([(values >> shift) & 0xFF for shift in (16, 8, 0)], axis=1).astype(np.int32)
         flat = counts >= FLAT
         common = np.argsort(-counts, kind="stable")[:CANDIDATES]
         for among, tolerance in ((flat, _FLAT_TOLERANCE), (~flat, _TOLERANCE)):
             chosen = common[among[common]]
             self._admit(rgb[chosen], counts[chosen], tolerance)
+        nearest = np.empty(len(values), np.uint8)
         for start in range(0, len(values), CANDIDATES):
             part = slice(start, start + CANDIDATES)
-            self._table[values[part]] = 1 + self._squares(rgb[part]).argmin(axis=1)
+            squares = self._squares(rgb[part])
+            nearest[part] = 1 + squares.argmin(axis=1)
+            settled = (squares.min(axis=1) <= GOOD**2) | (self._used == SIZE)
+            self._table[values[part][settled]] = nearest[part][settled]
+        return nearest[inverse]
 
     def _admit(
         self,

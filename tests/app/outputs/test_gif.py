@@ -6,6 +6,7 @@ import pytest
 from PIL import Image, ImageSequence
 
 from app.frames import Pixels
+from app.outputs.gif import EXACT
 
 Write = Callable[..., Path]
 
@@ -73,6 +74,15 @@ def test_a_late_area_finds_room_after_many_other_colours(write: Write) -> None:
     for shift in (16, 8, 0):
         error = (pixels >> shift & 0xFF).astype(int) - (late >> shift & 0xFF)
         assert np.abs(error).max() <= 8
+
+
+def test_theme_colours_are_exact_however_late(write: Write) -> None:
+    dice = np.random.default_rng(2)
+    pictures = [dice.integers(0, 1 << 24, (48, 64), np.uint32) for _ in range(5)]
+    colours = [red << 16 | green << 8 | blue for red, green, blue in EXACT]
+    late = np.resize(np.array(colours, np.uint32), (48, 64))
+    pixels, _ = shown(write("film.gif", [*pictures, late]))[-1]
+    assert np.array_equal(pixels, late)
 
 
 def test_thirty_frames_are_three_three_four(write: Write, pictures: list[Pixels]) -> None:
