@@ -16,9 +16,9 @@ from screens.kit.theme import Color
 
 LARGEST = 8192
 """Of a picture's sides (px)."""
-SPRITES = 24 << 20
+SPRITES = 8 << 20
 """Bytes that drawn shapes and words may take."""
-MASKS = 8 << 20
+MASKS = 2 << 20
 """Bytes that coverage masks may take."""
 OVERHEAD = 500
 """Bytes that holding a value takes beyond its pixels."""
