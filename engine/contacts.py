@@ -19,7 +19,14 @@ DAMPING = 10.0
 MOST_HERTZ = 60.0
 """Frequency of the spring (1/s), for substeps that are short enough to follow it."""
 
-PUSH = 4.0
+DEEP = 0.02
+"""Overlap whose correction lends so much velocity that it takes more sweeps to take it back, as a
+share of the smaller body's reach."""
+
+DEEP_SWEEPS = 4
+"""Their number."""
+
+PUSH = 2.0
 """Fastest correction of an overlap, in reaches of the smaller body a second (1/s)."""
 
 
@@ -122,11 +129,19 @@ def relax(t: Tables, resting: int, count: int, part: float) -> None:
             bodies.kick_spin[row] = bodies.spin[row]
     for k in range(resting):
         turn_by_shift(t, t.pairs.resting[k])
+    sweeps = 1
     for k in range(resting):
         pair = t.pairs.resting[k]
         if t.pairs.state[pair] == RESTING:
             move_arms(t, pair)
-            solve(t, pair, part, True)
+            for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
+                if t.contacts.gap[row] < -DEEP * t.pairs.size[pair]:
+                    sweeps = DEEP_SWEEPS
+    for _ in range(sweeps):
+        for k in range(resting):
+            pair = t.pairs.resting[k]
+            if t.pairs.state[pair] == RESTING:
+                solve(t, pair, part, True)
     for row in range(count):
         if bodies.held[row] > 0:
             bodies.vx[row] = bodies.kick_x[row]

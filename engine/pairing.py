@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from engine.broadphase import fit_boxes, sort, sweep
+from engine.jit import Kernels
 from engine.settings import Rule
 from engine.tables import (
     NEVER,
@@ -24,18 +24,24 @@ CARRIED_OVER = ("state", "points", "carried", "part", "struck")
 
 
 def pair_up(
-    t: Tables, count: int, pair_count: int, dt: float, restitution: Rule, friction: Rule
+    t: Tables,
+    count: int,
+    pair_count: int,
+    dt: float,
+    rules: tuple[Rule, Rule],
+    kernels: Kernels,
 ) -> tuple[Tables, int]:
     """List the pairs that may touch within `dt` seconds; return the tables and their number."""
-    fit_boxes(t, count, dt)
-    sort(t.bodies, count)
+    plain = as_arrays(t) if kernels.compiled else t
+    kernels.fit_boxes(plain, count, dt)
+    kernels.sort(plain.bodies, count)
     room = max(64, 4 * count)
     a: Any = np.zeros(room, np.int64)
     b: Any = np.zeros(room, np.int64)
-    found = sweep(t.bodies, count, memoryview(a), memoryview(b))
+    found = sweep_into(plain, count, a, b, kernels)
     if found > room:
         a, b = np.zeros(found, np.int64), np.zeros(found, np.int64)
-        sweep(t.bodies, count, memoryview(a), memoryview(b))
+        sweep_into(plain, count, a, b, kernels)
     a, b = a[:found], b[:found]
     sorted_rows = np.lexsort((b, a))
     a, b = a[sorted_rows], b[sorted_rows]
@@ -49,8 +55,21 @@ def pair_up(
     wide = np.where(free, reach, np.inf)
     np.asarray(pairs.size)[:found] = np.minimum(wide[a], wide[b])
     t = t._replace(pairs=views(pairs), contacts=views(contacts), links=links(t, a, b, count))
-    mix(t, found, restitution, friction)
+    mix(t, found, *rules)
     return t, found
+
+
+def sweep_into(t: Tables, count: int, a: Any, b: Any, kernels: Kernels) -> int:
+    """Write the pairs whose boxes overlap into two arrays; return their number."""
+    if kernels.compiled:
+        return kernels.sweep(t.bodies, count, a, b)
+    return kernels.sweep(t.bodies, count, memoryview(a), memoryview(b))
+
+
+def as_arrays(t: Tables) -> Tables:
+    """The same tables through numpy arrays, as compiled kernels take them."""
+    columns: Any = [type(table)(*arrays(table)) for table in t]
+    return Tables(*columns)
 
 
 def carry_over(t: Tables, pair_count: int, pairs: Pairs, contacts: Contacts, found: int) -> None:

@@ -8,12 +8,11 @@ import numpy as np
 
 from engine import snapshot as snapshots
 from engine import validate
-from engine.accelerate import accelerate
 from engine.body import Body, OnCollision, OnMove
-from engine.broadphase import holds
 from engine.collision import Collision, Diverged, Removed
 from engine.forces import Drag, Push
-from engine.pairing import forget, make_room_for_impacts, pair_up, resting_columns
+from engine.jit import choose
+from engine.pairing import as_arrays, forget, make_room_for_impacts, pair_up, resting_columns
 from engine.settings import TICK, Rule, geometric_mean, larger, laws
 from engine.shapes import Particle, Polygon, Shape, Wall
 from engine.snapshot import Snapshot
@@ -33,7 +32,8 @@ from engine.tables import (
     remove_row,
     views,
 )
-from engine.travel import CROWDED, ESCAPED, begin, end, runaway, travel
+from engine.tick import SOUND
+from engine.travel import CROWDED, ESCAPED
 from engine.vector import Vector
 
 
@@ -48,6 +48,8 @@ class World:
         restitution_rule: makes the restitution of a pair from those of its two bodies; None:
             the larger.
         friction_rule: the same for friction; None: the geometric mean.
+        kernels: "interpreted", "compiled" (by numba) or "auto", which the environment variable
+            LAWS_KERNELS decides; all give the same bits.
     """
 
     def __init__(
@@ -58,6 +60,7 @@ class World:
         substeps: int = 6,
         restitution_rule: Rule | None = None,
         friction_rule: Rule | None = None,
+        kernels: str = "auto",
     ) -> None:
         self.laws = laws(gravity, drag, integrator, substeps)
         self.restitution_rule = restitution_rule or larger
@@ -72,6 +75,7 @@ class World:
         self._clock = (0.0, 0, 0.0)  # time = base + ticks * dt, so that sixty ticks are 1 s
         self._handles: dict[int, Body] = {}
         self._rows: dict[int, int] = {}
+        self._kernels = choose(kernels)
         self._stale = True
         self._pair_count = 0
         self.tables = Tables(
@@ -84,6 +88,7 @@ class World:
             impacts=views(allocate(Impacts, 64)),
         )
         self.pushes = views(allocate(Pushes, 8))
+        self._arrays_of = self._arrays = self.tables
 
     def step(self, dt: float = TICK) -> list[Collision]:
         """Advance by `dt` seconds; return the collisions that happened, in order of time.
@@ -95,13 +100,12 @@ class World:
         """
         dt = validate.positive(dt, "dt")
         watched = self._where_callbacks_look()
-        accelerate(self.bodies, self._count, self.pushes, self._push_count, self.laws, dt)
-        self._refuse_divergence(dt)
-        self._find_pairs(dt)
+        pairs_hold = self._accelerate(dt)
+        if not pairs_hold:
+            self._find_pairs(dt)
         collisions = self._move(dt)
         self._end_pushes()
         self._tell_time(dt)
-        self._refuse_divergence(dt)
         self._call_back(watched, collisions)
         return collisions
 
@@ -321,34 +325,52 @@ class World:
 
     # The parts of a step.
 
+    def _accelerate(self, dt: float) -> bool:
+        """Let forces act for a tick; return whether the list of pairs holds."""
+        pushes: Any = self.pushes
+        if self._kernels.compiled:
+            pushes = Pushes(*arrays(pushes))
+        lost, pairs_hold = self._kernels.start(
+            self._seen(), self._count, pushes, self._push_count, self.laws, dt
+        )
+        self._refuse_divergence(lost)
+        return pairs_hold and not self._stale
+
     def _find_pairs(self, dt: float) -> None:
-        """Have a list of pairs that holds for this tick."""
-        if self._stale or not holds(self.tables, self._count, dt):
-            rules = (self.restitution_rule, self.friction_rule)
-            self.tables, self._pair_count = pair_up(
-                self.tables, self._count, self._pair_count, dt, *rules
-            )
-            self._stale = False
+        """List the pairs that may touch in this tick."""
+        rules = (self.restitution_rule, self.friction_rule)
+        self.tables, self._pair_count = pair_up(
+            self.tables, self._count, self._pair_count, dt, rules, self._kernels
+        )
+        self._stale = False
 
     def _move(self, dt: float) -> list[Collision]:
         """Move all bodies through the tick, along their paths and from impact to impact."""
         collisions: list[Collision] = []
         substep, limit = dt / self.laws.substeps, 1000 + 50 * self._count
-        begin(self.tables, self._count, self._pair_count, substep)
-        self.tables.impacts.written[1] = 0
+        self.tables.impacts.written[1] = -1
         now = 0.0
         while now < dt:
-            status, now = travel(
-                self.tables, self._count, self._pair_count, now, dt, substep, limit
+            status, now = self._kernels.go(
+                self._seen(), self._count, self._pair_count, now, dt, substep, limit
             )
             collisions += self._reported()
             if status == CROWDED:
                 self.tables = make_room_for_impacts(self.tables)
             elif status == ESCAPED:
-                self._stale = True
                 self._find_pairs(dt)
-        end(self.tables, self._count, self._pair_count, self.laws.integrator, dt)
+        self._refuse_divergence(
+            self._kernels.finish(self._seen(), self._count, self._pair_count, self.laws, dt)
+        )
         return collisions
+
+    def _seen(self) -> Tables:
+        """The tables as the kernels take them: memoryviews, or arrays if they are compiled."""
+        if not self._kernels.compiled:
+            return self.tables
+        if self._arrays_of is not self.tables:
+            self._arrays_of, self._arrays = self.tables, as_arrays(self.tables)
+        return self._arrays
 
     def _reported(self) -> list[Collision]:
         """Turn the table of impacts into collisions and empty it."""
@@ -383,9 +405,8 @@ class World:
         self.tick += 1
         self._clock = (base, ticks + 1, dt) if dt == last else (self.time, 1, dt)
 
-    def _refuse_divergence(self, dt: float) -> None:
-        row = runaway(self.bodies, self._count, dt)
-        if row >= 0:
+    def _refuse_divergence(self, row: int) -> None:
+        if row != SOUND:
             body = list(self._handles.values())[row]
             raise Diverged(f"{body.name} left the range of numbers in tick {self.tick}")
 
