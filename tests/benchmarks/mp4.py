@@ -15,11 +15,9 @@ from time import perf_counter, process_time
 
 import av
 from av.video.reformatter import VideoReformatter
-from scene import FPS, SIZE, frames, shoot
+from scene import FPS, SIZE, export, frames
 
 from app.frames import Film
-from app.outputs import open_sink
-from app.outputs.background import Background
 from app.outputs.video import Mp4, converted
 
 ROUNDS = 3
@@ -32,12 +30,6 @@ def alone(pictures: list[av.VideoFrame], target: Path) -> None:
     encoder.finish()
 
 
-def whole(target: Path) -> None:
-    sink = Background(open_sink(target, Film(*SIZE, FPS, "Benchmark")))
-    shoot([sink])
-    sink.close()
-
-
 def main() -> None:
     converter = VideoReformatter()
     ready = [converted(pixels, converter) for pixels in frames()]
@@ -45,9 +37,8 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         one, two = Path(folder) / "alone.mp4", Path(folder) / "whole.mp4"
         runs: dict[str, Callable[[], object]] = {
-            "simulate and draw": lambda: shoot([]),
             "alone": lambda: alone(ready, one),
-            "whole": lambda: whole(two),
+            "whole": lambda: export(two),
         }
         for _ in range(ROUNDS):
             for name, run in runs.items():

@@ -1,55 +1,37 @@
-"""The film that the benchmarks of the outputs encode: the shipped Reactions scenario."""
+"""The film that the benchmarks of the outputs make: the shipped Reactions scenario."""
 
-from collections.abc import Sequence
+import tempfile
+from dataclasses import replace
+from pathlib import Path
 
-from app.camera import Camera
-from app.frames import Frame, Moment, Pixels, Sink
-from app.overlay import Overlay
-from app.player import Player
+import numpy as np
+from PIL import Image
+
+from app.frames import Pixels
+from app.render import render
 from app.scenario.load import Overrides, load
-from app.session import Session
-from app.stage import set_stage
 from assets import SCENARIOS
-from screens.kit.surface import Surface
-from screens.kit.words import load_words
 
 SIZE = (720, 1280)
 FPS = 30
 NAME = "reactions-many-balls"
 
 
-def shoot(sinks: Sequence[Sink]) -> None:
-    """Simulate and draw the scenario once, handing its frames and moments to `sinks`."""
+def export(*paths: Path | str) -> None:
+    """Simulate and draw the scenario once, as `laws render` does, and write these outputs."""
     size = "x".join(map(str, SIZE))
     scenario = load(str(SCENARIOS / f"{NAME}.yaml"), Overrides(size=size, fps=str(FPS)))
-    lesson = set_stage(scenario)
-    player = Player(scenario, lesson)
-    overlay = Overlay(load_words(scenario.lang))
-    camera = Camera(Surface(*SIZE), overlay, sinks, FPS)
-    Session(lesson, camera, sinks, lambda cue: None).run(player.play())
-
-
-class Reel:
-    """A sink that keeps every picture."""
-
-    def __init__(self) -> None:
-        self.pictures: list[Pixels] = []
-
-    def frame(self, frame: Frame) -> None:
-        self.pictures.append(frame.pixels)
-
-    def moment(self, moment: Moment) -> None:
-        pass
-
-    def close(self) -> None:
-        pass
-
-    def abort(self) -> None:
-        pass
+    render(replace(scenario, outputs=tuple(map(str, paths))))
 
 
 def frames() -> list[Pixels]:
-    """All pictures of the scenario, each 1280 rows of 720."""
-    reel = Reel()
-    shoot([reel])
-    return reel.pictures
+    """All pictures of the scenario, each 1280 rows of 720, read back from a folder of PNG."""
+    with tempfile.TemporaryDirectory() as folder:
+        export(f"{folder}/frames/")
+        return [_read(file) for file in sorted(Path(folder, "frames").iterdir())]
+
+
+def _read(file: Path) -> Pixels:
+    with Image.open(file) as image:
+        rgb = np.asarray(image).astype(np.uint32)
+    return rgb[..., 0] << 16 | rgb[..., 1] << 8 | rgb[..., 2]
