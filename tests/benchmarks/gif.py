@@ -3,7 +3,7 @@
     python tests/benchmarks/gif.py
 
 That loop: copy each frame of a pygame surface to a Pillow image, then save(save_all=True). Both get
-the frames of the shipped Reactions scenario at 720x1280 and 30 fps. "Whole" is our whole export, with
+the frames of the shipped Reactions scenario at 720x1280 and 30 fps. "Whole" is our export, with
 simulating and drawing, against the tutorial's encoding alone. Rounds alternate; the best of each
 counts. On a busy machine our share looks worse: it wants two cores, the tutorial one.
 """
