@@ -46,6 +46,9 @@ class Deliverables:
         except OutputError as error:
             self._put_away()
             raise NotBegun(str(error)) from error
+        except BaseException:  # stopped while encoders are loaded
+            self._put_away()
+            raise
 
     @property
     def films(self) -> Sequence[Sink]:

@@ -72,7 +72,7 @@ def attempt(scenario: Scenario, watcher: Watcher) -> tuple[int, Rendered | None]
         complain(str(error), watcher)
         return REFUSED, None
     except (OutputError, NothingFilmed, Diverged) as error:
-        complain(f"{scenario.path}: {error}; nothing was overwritten", watcher)
+        complain(f"{scenario.path}: {error}; no unfinished file is left", watcher)
         return FAILED, None
     except ScenarioFailed as failed:
         show([failed.mistake], watcher.failed)
