@@ -12,7 +12,7 @@ from screens.kit.dial import STRONGEST, ForceDial
 from screens.kit.events import Event, Resize, Tap, Tick
 from screens.kit.geometry import Point, Rect, Size
 from screens.kit.layout import Layout, layout, pair, rows
-from screens.kit.view import Room, View
+from screens.kit.view import View, room_of
 from screens.kit.widgets import NAVIGATION, navigation, seen, touched
 from screens.kit.words import Words
 from screens.lesson import Dice, Setting, Widget
@@ -20,8 +20,6 @@ from screens.lesson import Dice, Setting, Widget
 if TYPE_CHECKING:
     from screens.kit.surface import Surface
 
-UPRIGHT, ACROSS = Room(-3.0, -3.25, 3.0, 3.25), Room(-3.75, -3.0, 3.75, 3.0)
-"""Rooms for upright and other screens (m); the origin is in the middle, where the body rests."""
 RADIUS = 0.5
 """From the middle of the body to its corners (m)."""
 LIGHT, HEAVY = 0.5, 10.0
@@ -63,7 +61,7 @@ class Inertia:
         """Three dice are rolled, whatever the settings: sides, restitution, friction."""
         self.size = size
         self.words = words
-        self.room = UPRIGHT if size.height >= size.width else ACROSS
+        self.room = room_of(size, layout(size).canvas)
         self.world = World(integrator="velocity-verlet")
         rolled = {
             "body.sides": 5.0 if dice() < 0.5 else 6.0,
@@ -158,7 +156,7 @@ class Inertia:
     def _draw_scene(self, surface: "Surface") -> None:
         area = layout(self.size)
         surface.static((*self._key, bool(self.push)), self._draw_page)
-        canvas = Canvas(surface, self.view.frame, self.room)
+        canvas = Canvas(surface, self.view.rect, self.room)
         canvas.labels.block(canvas.bar_room())
         canvas.trail([at for at in self.trail if math.dist(at, self.body.position) > RADIUS])
         conceal(canvas, self.body)
@@ -171,7 +169,7 @@ class Inertia:
         """Draw all that stays as it is from frame to frame."""
         area = layout(self.size)
         page.page(surface, area, self.words, self.id)
-        Canvas(surface, self.view.frame, self.room).background()
+        Canvas(surface, self.view.rect, self.room).background()
         for place, (label, _, _) in zip(_readouts(area), self._numbers(), strict=True):
             page.heading(surface, place, label)
         buttons = {widget.id: widget for widget in self.widgets()}

@@ -11,7 +11,7 @@ from screens.kit.canvas import Canvas
 from screens.kit.events import Event, Resize, Tap, Tick, Tilt
 from screens.kit.geometry import Point, Rect, Size
 from screens.kit.layout import GAP, TOUCH, Layout, columns, layout, rows
-from screens.kit.view import Room, View
+from screens.kit.view import View, room_of
 from screens.kit.widgets import NAVIGATION, navigation, touched
 from screens.kit.words import Words
 from screens.lesson import Dice, Setting, Widget
@@ -19,8 +19,6 @@ from screens.lesson import Dice, Setting, Widget
 if TYPE_CHECKING:
     from screens.kit.surface import Surface
 
-UPRIGHT, ACROSS = Room(-3.0, -3.25, 3.0, 3.25), Room(-3.75, -3.0, 3.75, 3.0)
-"""Rooms for upright and other screens (m); the origin is in the middle."""
 INNER = (
     ((-0.80, 0.42), (-0.35, 0.58)),
     ((0.35, 0.66), (0.80, 0.40)),
@@ -76,7 +74,7 @@ class Reactions:
         self.size = size
         self.words = words
         self.dice = dice
-        self.room = UPRIGHT if size.height >= size.width else ACROSS
+        self.room = room_of(size, layout(size).canvas)
         self.world = World(integrator="velocity-verlet")
         known = {name: s.default for name, s in self.SETTINGS.items() if s.default is not None}
         self.chosen = {**known, **settings}
@@ -161,7 +159,7 @@ class Reactions:
         """Draw what is."""
         key = (self.id, self.words.file, self.size, self.room, self.ball_mass)
         surface.static(key, self._draw_page)
-        canvas = Canvas(surface, self.view.frame, self.room)
+        canvas = Canvas(surface, self.view.rect, self.room)
         canvas.labels.block(canvas.bar_room())
         for ends in INNER:
             a, b = (canvas.view.to_screen(self._in_room(end)) for end in ends)
@@ -181,7 +179,7 @@ class Reactions:
         """Draw all that stays as it is from frame to frame."""
         area, words = layout(self.size), self.words
         page.page(surface, area, words, self.id)
-        canvas = Canvas(surface, self.view.frame, self.room)
+        canvas = Canvas(surface, self.view.rect, self.room)
         canvas.background()
         for body in self.world:
             if isinstance(body.shape, Wall) and body.name[5:].isdigit():

@@ -41,11 +41,16 @@ class Canvas:
         self.labels = Labels(rect.inset(GAP_TO_BORDER))
 
     def background(self, grid: float = 0.5, bar: bool = True) -> None:
-        """The empty canvas: a grid whose cells are `grid` metres, a border, a scale bar."""
-        surface, rect = self.surface, self.rect
+        """The empty canvas: a grid whose cells are `grid` metres, a border, a scale bar.
+
+        A room that does not fill it has a border of its own.
+        """
+        surface, rect, room = self.surface, self.rect, self.view.frame
         surface.rect(rect, theme.CANVAS, radius=theme.RADIUS)
-        with surface.clip(rect.inset(BORDER)):
+        with surface.clip(rect.inset(BORDER)), surface.clip(room):
             self._grid(grid)
+        if max(rect.width - room.width, rect.height - room.height) > BORDER:
+            surface.rect(room, None, outline=theme.HAIRLINE, outline_width=self._whole(BORDER))
         surface.rect(
             rect,
             None,

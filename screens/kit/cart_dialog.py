@@ -6,7 +6,7 @@ from screens.kit import page, theme
 from screens.kit.entry import THUMB, Entry
 from screens.kit.events import Drag, Event, Key, Release, Resize, Tap
 from screens.kit.geometry import Point, Rect, Size
-from screens.kit.layout import GAP, TOUCH
+from screens.kit.layout import GAP, TOUCH, dialog
 from screens.kit.numbers import quantity
 from screens.kit.widgets import MODAL, touched
 from screens.kit.words import Words
@@ -109,8 +109,7 @@ class CartDialog:
     @property
     def panel(self) -> Rect:
         """The dialog itself (dp)."""
-        wide, high = (304.0, 376.0) if self._upright else (520.0, 300.0)
-        return Rect((self.size.width - wide) / 2, (self.size.height - high) / 2, wide, high)
+        return dialog(self.size, Size(304.0, 376.0) if self._upright else Size(410.0, 320.0))
 
     @property
     def head(self) -> Rect:
@@ -121,8 +120,7 @@ class CartDialog:
     def row(self, name: str) -> Rect:
         """Where a quantity has its name, its field and its slider (dp)."""
         panel, below = self.panel, ROW * list(self.entries).index(name)
-        wide = panel.width - 48 if self._upright else 264.0
-        return Rect(panel.x + 24, panel.y + 52 + below, wide, ROW)
+        return Rect(panel.x + 24, panel.y + 52 + below, panel.width - 48, ROW)
 
     def field(self, name: str) -> Rect:
         """Where a number is typed (dp)."""
@@ -138,9 +136,8 @@ class CartDialog:
     def force_row(self) -> Rect:
         """Where the force is drawn (dp)."""
         panel = self.panel
-        if self._upright:
-            return Rect(panel.x + 24, panel.y + 52 + 2 * ROW + 4, panel.width - 48, 72.0)
-        return Rect(panel.x + 320, panel.y + 52, panel.width - 344, 140.0)
+        beside = 0.0 if self._upright else panel.right - self.buttons[0].x
+        return Rect(panel.x + 24, panel.y + 56 + 2 * ROW, panel.width - 48 - beside, 72.0)
 
     @property
     def buttons(self) -> tuple[Rect, Rect]:

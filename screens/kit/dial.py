@@ -7,7 +7,7 @@ from engine import Body, Polygon, Vector
 from screens.kit import page, theme
 from screens.kit.events import Drag, Event, Key, Release, Resize, Tap
 from screens.kit.geometry import Point, Rect, Size
-from screens.kit.layout import GAP, TOUCH, rows
+from screens.kit.layout import GAP, TOUCH, dialog, rows
 from screens.kit.numbers import quantity
 from screens.kit.widgets import MODAL, touched
 from screens.kit.words import Words
@@ -24,6 +24,10 @@ PER_NEWTON = 15.0
 """How much longer the arrow is for each newton (dp/N)."""
 RIM = HUB + STRONGEST * PER_NEWTON
 """From the middle to the tip of the strongest arrow (dp)."""
+LOWERED = 26.0
+"""How far below the middle of an upright screen the dialog lies (dp)."""
+BESIDE = 290.0
+"""Where the words begin that stand beside the dial (dp)."""
 STEP = 0.1
 """Strengths are multiples of this (N), directions whole degrees: what is read is what acts."""
 RING = theme.mix(theme.WHITE, 0.2, theme.DIALOG)
@@ -88,7 +92,11 @@ class ForceDial:
     def draw_ground(self, surface: "Surface", body: Body) -> None:
         """Draw what stays while the arrow is dragged, over the screen below; `body` is pushed."""
         words = self.words
-        page.dialog(surface, self.panel, self.head, words("dial.title"), words("dial.hint"))
+        page.dialog(surface, self.panel, self.head, words("dial.title"))
+        hint = self.hint
+        surface.text(
+            words("dial.hint"), (hint.x, hint.y), theme.BODY, theme.TEXT_MEDIUM, width=hint.width
+        )
         self._draw_rings(surface)
         if isinstance(body.shape, Polygon):
             self._draw_body(surface, body.shape, body.angle)
@@ -107,24 +115,33 @@ class ForceDial:
     @property
     def panel(self) -> Rect:
         """The dialog itself (dp)."""
-        wide, high = (304.0, 448.0) if self._upright else (520.0, 300.0)
-        return Rect((self.size.width - wide) / 2, (self.size.height - high) / 2, wide, high)
+        if not self._upright:
+            return dialog(self.size, Size(426.0, 328.0))
+        panel = dialog(self.size, Size(304.0, 448.0))
+        # Lower than the middle: a caption ends above it.
+        return panel._replace(y=panel.y + LOWERED)
 
     @property
     def center(self) -> Point:
         """The middle of the dial (dp)."""
         panel = self.panel
         if self._upright:
-            return Point(panel.center.x, panel.y + 210)
-        return Point(panel.x + RIM + HANDLE / 2 + GAP, panel.center.y)
+            return Point(panel.center.x, panel.y + 184)
+        return Point(panel.x + RIM + HANDLE / 2 + 2, panel.center.y)
 
     @property
     def head(self) -> Rect:
-        """Where the title and the hint are (dp)."""
+        """Where the title is (dp)."""
         panel = self.panel
         if self._upright:
-            return Rect(panel.x + 24, panel.y + 16, panel.width - 48, 46.0)
-        return Rect(panel.x + 306, panel.y + 24, panel.width - 322, 60.0)
+            return Rect(panel.x + 24, panel.y + 14, panel.width - 48, 24.0)
+        return Rect(panel.x + BESIDE, panel.y + 18, panel.width - BESIDE - 10, 24.0)
+
+    @property
+    def hint(self) -> Rect:
+        """Where it is said what to do: below the dial, or below the title (dp)."""
+        panel, head = self.panel, self.head
+        return Rect(head.x, panel.y + 326 if self._upright else head.bottom + 2, head.width, 16.0)
 
     @property
     def readouts(self) -> Rect:
@@ -132,13 +149,19 @@ class ForceDial:
         panel = self.panel
         if self._upright:
             return Rect(panel.x + 24, panel.y + 352, panel.width - 48, 40.0)
-        return Rect(panel.x + 306, panel.y + 96, panel.width - 322, 132.0)
+        return Rect(panel.x + BESIDE, panel.y + 92, panel.width - BESIDE - 10, 122.0)
 
     @property
     def buttons(self) -> tuple[Rect, Rect]:
         """Places of Cancel and Accept (dp)."""
         panel = self.panel
-        y, right = panel.bottom - 12 - TOUCH, panel.right - 16
+        if not self._upright:
+            place = Rect(
+                panel.x + BESIDE, panel.y + 232, panel.width - BESIDE - 16, 2 * TOUCH + GAP
+            )
+            accept, cancel = rows(place, 2, GAP)
+            return cancel, accept
+        y, right = panel.bottom - 8 - TOUCH, panel.right - 16
         accept = Rect(right - 92, y, 92.0, TOUCH)
         return Rect(accept.x - GAP - 84, y, 84.0, TOUCH), accept
 

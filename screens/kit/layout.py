@@ -74,6 +74,17 @@ def _across(size: Size) -> Layout:
     return Layout(size, False, words, canvas, readouts, controls, nav)
 
 
+def dialog(size: Size, wanted: Size) -> Rect:
+    """Where a dialog lies: in the middle of an upright screen, else in the middle of the canvas.
+
+    So what stands beside the canvas, a caption too, stays in sight.
+    """
+    area = layout(size)
+    middle = (area.screen if area.portrait else area.canvas).center
+    x, y = middle.x - wanted.width / 2, middle.y - wanted.height / 2
+    return Rect(x, y, wanted.width, wanted.height)
+
+
 def columns(rect: Rect, count: int, gap: float = 0.0) -> list[Rect]:
     """A rectangle divided into equal columns."""
     width = (rect.width - (count - 1) * gap) / count

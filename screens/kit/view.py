@@ -1,9 +1,10 @@
 """Rooms in metres, and where they lie on the screen."""
 
+import math
 from typing import NamedTuple
 
 from engine import Vector
-from screens.kit.geometry import Point, Rect
+from screens.kit.geometry import Point, Rect, Size
 
 
 class Room(NamedTuple):
@@ -23,6 +24,26 @@ class Room(NamedTuple):
     def height(self) -> float:
         """From bottom to top (m)."""
         return self.top - self.bottom
+
+
+UPRIGHT, ACROSS = Room(-3.0, -3.25, 3.0, 3.25), Room(-3.75, -3.0, 3.75, 3.0)
+"""Rooms of upright and of other screens, if they are shaped like the reference screens."""
+STEP = 0.25
+"""Rooms grow in steps of this (m), to each side half of it."""
+
+
+def room_of(screen: Size, canvas: Rect) -> Room:
+    """The room that fills a canvas (dp), its middle at the origin.
+
+    It is that of a reference screen, and longer or wider where the canvas has more to show.
+    """
+    least = UPRIGHT if screen.height >= screen.width else ACROSS
+    scale = View(canvas, least).scale
+    half_width, half_height = (
+        max(shortest, math.floor(length / scale / STEP + 1e-6) * STEP) / 2
+        for length, shortest in ((canvas.width, least.width), (canvas.height, least.height))
+    )
+    return Room(-half_width, -half_height, half_width, half_height)
 
 
 class View(NamedTuple):

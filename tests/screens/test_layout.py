@@ -97,3 +97,22 @@ def test_a_view_maps_to_the_screen_and_back(x: float, y: float, wide: float, hig
     top_left = view.to_screen((-3, 4))
     assert top_left == pytest.approx((view.frame.x, view.frame.y))
     assert view.to_screen((0.0, 1.5)) == pytest.approx(Point(7 + wide / 2, 11 + high / 2))
+
+
+@given(size=pictures)
+def test_rooms_fill_their_canvas_on_screens_of_all_shapes(size: Size) -> None:
+    for id in ("inertia", "reactions"):
+        frame, canvas = lesson(id, size=size).view.frame, layout(size).canvas
+        spare = (canvas.width - frame.width, canvas.height - frame.height)
+        assert min(spare) == pytest.approx(0.0, abs=1e-6)
+        assert max(spare) <= 0.25 * lesson(id, size=size).view.scale + 1e-6
+
+
+@given(size=pictures)
+def test_dialogs_leave_the_words_in_sight(size: Size) -> None:
+    """A caption stands where the words are, so it is never over a dialog."""
+    for id in ("inertia", "forces"):
+        shown = lesson(id, size=size)
+        tap(shown, OPENS[id])
+        assert not shown.dialog.panel.overlaps(layout(size).words)
+        assert inside(shown.dialog.panel, Rect(0, 0, *size))
