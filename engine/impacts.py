@@ -150,12 +150,10 @@ def exchange(t: Tables, pair: int, one: int, other: int, bounce: float, time: fl
     normal_y = t.touch.normal_y[0]
     total = bounce * speed / response(t, pair, x, y, normal_x, normal_y)
     if other >= 0:
-        share, both = share_of_two(t, pair, one, other, bounce)
-        if both > 0.0:
-            total = both
-            x += share * (t.touch.x[other] - x)
-            y += share * (t.touch.y[other] - y)
-            speed += share * (approach(t, pair, other) - speed)
+        share, total = share_of_two(t, pair, one, other, bounce)
+        x += share * (t.touch.x[other] - x)
+        y += share * (t.touch.y[other] - y)
+        speed += share * (approach(t, pair, other) - speed)
     give(t, pair, x, y, total * normal_x, total * normal_y)
     sliding = slip(t, pair, x, y)
     along = -sliding / response(t, pair, x, y, -normal_y, normal_x)
@@ -188,7 +186,7 @@ def response(t: Tables, pair: int, x: float, y: float, along_x: float, along_y: 
 def share_of_two(t: Tables, pair: int, one: int, other: int, bounce: float) -> tuple[float, float]:
     """Solve for both points at once: share of the second and impulse of both along the normal.
 
-    The share is between 0 and 1; the impulse is 0 where the second would have to pull.
+    The share is between 0 and 1. Where one of them would have to pull, the other does it alone.
     """
     bodies = t.bodies
     a = t.pairs.a[pair]
@@ -212,8 +210,10 @@ def share_of_two(t: Tables, pair: int, one: int, other: int, bounce: float) -> t
         return 0.5, v1 / k12
     p1 = (k22 * v1 - k12 * v2) / determinant
     p2 = (k11 * v2 - k12 * v1) / determinant
-    if p1 <= 0.0 or p2 <= 0.0:
-        return 0.0, 0.0
+    if p2 <= 0.0:
+        return 0.0, v1 / k11
+    if p1 <= 0.0:
+        return 1.0, v2 / k22
     return p2 / (p1 + p2), p1 + p2
 
 

@@ -95,7 +95,9 @@ def compiled() -> Kernels:
             if inspect.isfunction(function) and function.__module__ == module.__name__:
                 extending.register_jitable(error_model="numpy")(function)
     try:
-        return _entries(numba.njit(cache=True, error_model="numpy", nogil=True), digest.digest())
+        return _entries(
+            numba.njit(cache=True, error_model="numpy", nogil=True, _nrt=False), digest.digest()
+        )
     except RuntimeError:  # numba found no folder for its cache: compile for this process alone
         return _entries(numba.njit(error_model="numpy", nogil=True), digest.digest())
 
