@@ -7,6 +7,7 @@ from pathlib import Path
 from app.frames import Film, Frame, Moment, Pixels
 from app.outputs.changes import Box, changed, whole
 from app.outputs.png import SIGNATURE, chunk, header, scanlines
+from app.outputs.titles import png_texts
 
 LEVEL = 6
 """Of deflate: only changed boxes are compressed, so more effort is affordable than for folders."""
@@ -29,7 +30,7 @@ class Apng:
         self._end = 0
         self._file.write(SIGNATURE + header(film.width, film.height))
         self._count_at = self._file.tell()
-        self._file.write(_count(0))
+        self._file.write(_count(0) + png_texts(film))
 
     def frame(self, frame: Frame) -> None:
         """Compress what changed; an equal picture only lasts longer."""

@@ -11,6 +11,7 @@ from PIL import Image
 from app.frames import Film, Frame, Moment, Pixels
 from app.outputs.changes import Box, changed, whole
 from app.outputs.palette import SIZE, TRANSPARENT, Palette
+from app.outputs.titles import gif_comment
 from screens.kit import theme
 
 FASTEST = 50
@@ -51,7 +52,7 @@ class Gif:
         # 0xF7: a global table of 256 entries, 8 bits a channel. It is filled in at the end.
         self._file.write(b"GIF89a" + struct.pack("<HHBBB", film.width, film.height, 0xF7, 0, 0))
         self._table_at = self._file.tell()
-        self._file.write(bytes(3 * SIZE) + _FOR_EVER)
+        self._file.write(bytes(3 * SIZE) + _FOR_EVER + gif_comment(film))
 
     def frame(self, frame: Frame) -> None:
         """Compress what changed, if this frame is one of those shown."""

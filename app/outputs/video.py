@@ -13,6 +13,7 @@ from av.video.stream import VideoStream
 
 from app.frames import Film, Frame, Moment, Pixels
 from app.outputs.promise import OutputError
+from app.outputs.titles import named
 
 KEYFRAMES = 2
 """Seconds between pictures that a player can jump to."""
@@ -47,6 +48,7 @@ class _Video:
         # "bitexact" leaves out dates, random ids and the names of programs.
         options = {"fflags": "+bitexact", **self.muxing}
         self._file = av.open(str(part), "w", format=self.container, container_options=options)
+        self._file.metadata.update(named(film, "title", "comment"))
         stream = self._file.add_stream(self.codec, rate=film.fps, options=dict(self.coding))
         self._stream = cast(VideoStream, stream)
         self._stream.width, self._stream.height = film.width, film.height

@@ -13,11 +13,13 @@ from PIL import Image
 
 from app.frames import Film, Frame, Moment, Pixels
 from app.outputs.changes import Box, changed, whole
+from app.outputs.titles import xmp
 
 METHOD = 1
 """Effort of the encoder: 0 makes files 2.6 times as large, 2 takes 1.6 times as long."""
 
 _ANIMATION = 0x02
+_HAS_XMP = 0x04
 _REPLACE = 0x02  # do not blend, keep what was shown
 
 
@@ -31,7 +33,9 @@ class WebP:
         self._waiting: tuple[Box, bytes, int] | None = None
         """The last picture: its box, its data, when it appears (ms)."""
         self._end = 0
-        canvas = struct.pack("<I", _ANIMATION) + _u24(film.width - 1) + _u24(film.height - 1)
+        self._xmp = xmp(film)
+        flags = _ANIMATION | (_HAS_XMP if self._xmp else 0)
+        canvas = struct.pack("<I", flags) + _u24(film.width - 1) + _u24(film.height - 1)
         self._file.write(b"RIFF\0\0\0\0WEBP" + _chunk(b"VP8X", canvas))
         self._file.write(_chunk(b"ANIM", struct.pack("<IH", 0xFF000000, 0)))  # 0: for ever
 
@@ -53,6 +57,8 @@ class WebP:
     def finish(self) -> None:
         """Write the last picture, and the size of the whole at the front."""
         self._write_waiting(self._time(self._end))
+        if self._xmp:
+            self._file.write(_chunk(b"XMP ", self._xmp))
         size = self._file.tell()
         self._file.seek(4)
         self._file.write(struct.pack("<I", size - 8))

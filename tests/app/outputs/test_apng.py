@@ -47,7 +47,7 @@ def test_times_are_exact(write: Write, pictures: list[Pixels], fps: int) -> None
 def test_the_count_at_the_front_and_the_order(write: Write, pictures: list[Pixels]) -> None:
     found = chunks(write("film.apng", pictures))
     kinds = [kind for kind, _ in found]
-    assert kinds[:4] == [b"IHDR", b"acTL", b"fcTL", b"IDAT"]
+    assert kinds[:5] == [b"IHDR", b"acTL", b"iTXt", b"fcTL", b"IDAT"]
     assert kinds[-1] == b"IEND"
     count, plays = struct.unpack(">II", found[1][1])
     assert (count, plays) == (kinds.count(b"fcTL"), 0)

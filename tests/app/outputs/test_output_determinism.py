@@ -20,7 +20,7 @@ from conftest import FPS, HEIGHT, WIDTH, picture
 from app.frames import Film, Frame
 from app.outputs import open_sink
 for name in {NAMES!r}:
-    sink = open_sink(sys.argv[1] + "/" + name, Film(WIDTH, HEIGHT, FPS, "A disc"))
+    sink = open_sink(sys.argv[1] + "/" + name, Film(WIDTH, HEIGHT, FPS, "A disc", "A disc moves to the right."))
     for number in range(40):
         sink.frame(Frame(number, picture(number - (number % 4 == 3))))
     sink.close()
