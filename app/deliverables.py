@@ -11,7 +11,7 @@ from app.frames import Film, Pixels, Sink
 from app.json_text import document
 from app.outputs import OutputError, Promise, explained, kind_of, open_sink
 from app.outputs.background import Background
-from app.outputs.png import write_png
+from app.outputs.png import png_bytes
 from app.outputs.promise import check_place
 from app.player import Check
 from app.report import Output, Report
@@ -37,7 +37,7 @@ class Deliverables:
         self._film = film
         self._sinks: dict[str, Sink] = {}
         self._reports: dict[str, Promise] = {}
-        self._made: list[Output] = []
+        self._pictures: dict[str, Promise] = {}
         try:
             for path in paths:
                 self._begin(path)
@@ -74,13 +74,18 @@ class Deliverables:
         self._put_away()
 
     def picture(self, path: str, pixels: Pixels) -> None:
-        """Write a screenshot at once; raises OutputError."""
-        write_png(path, pixels)
-        self._made.append(Output(path, "png", os.path.getsize(path), _hash(Path(path))))
+        """Write a screenshot, which gets its name once the run is done; raises OutputError."""
+        promise = self._pictures[path] = Promise(path)
+        with explained(path):
+            promise.part.write_bytes(png_bytes(pixels))
 
     def finish(self, report: Report, checks: Sequence[Check], watcher: Watcher) -> list[Output]:
         """Finish all of them, the reports last; raises OutputError if one cannot be finished."""
-        outputs = list(self._made)
+        outputs = []
+        for path, promise in self._pictures.items():
+            promise.keep()
+            outputs.append(Output(path, "png", os.path.getsize(path), _hash(Path(path))))
+            watcher.wrote(outputs[-1])
         for path in tuple(self._sinks):
             watcher.finishing(path)
             self._sinks[path].close()
@@ -107,7 +112,7 @@ class Deliverables:
     def _put_away(self) -> None:
         for sink in self._sinks.values():
             sink.abort()
-        for promise in self._reports.values():
+        for promise in (*self._pictures.values(), *self._reports.values()):
             promise.drop()
 
 

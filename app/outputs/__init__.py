@@ -8,7 +8,7 @@ import importlib.util
 import os
 from typing import TYPE_CHECKING
 
-from app.outputs.promise import OutputError, Promise, check_place, explained, write_bytes
+from app.outputs.promise import OutputError, Promise, check_place, explained
 
 if TYPE_CHECKING:
     from app.frames import Film, Sink
@@ -21,7 +21,6 @@ __all__ = [
     "explained",
     "kind_of",
     "open_sink",
-    "write_bytes",
 ]
 
 SUFFIXES = {

@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from app.frames import Film, Frame, Moment, Pixels
-from app.outputs.promise import write_bytes
 
 SIGNATURE = b"\x89PNG\r\n\x1a\n"
 
@@ -55,11 +54,6 @@ def scanlines(pixels: Pixels) -> NDArray[np.uint8]:
 def png_bytes(pixels: Pixels) -> bytes:
     """One picture as a PNG file (24-bit RGB)."""
     return Pictures().encode(pixels)
-
-
-def write_png(path: str, pixels: Pixels) -> None:
-    """Write one picture whole, or not at all. Raises OutputError."""
-    write_bytes(path, png_bytes(pixels))
 
 
 class Pictures:

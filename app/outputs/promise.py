@@ -165,15 +165,3 @@ class Promise:
             old.rename(self._target)
             raise
         shutil.rmtree(old, ignore_errors=True)
-
-
-def write_bytes(path: str | os.PathLike[str], data: bytes) -> None:
-    """Write a whole small file or none. Raises OutputError."""
-    promise = Promise(path)
-    try:
-        with explained(path):
-            promise.part.write_bytes(data)
-    except OutputError:
-        promise.drop()
-        raise
-    promise.keep()

@@ -162,3 +162,20 @@ def test_works_from_a_folder_that_cannot_be_written_to(push, tmp_path):
     locked.mkdir(mode=0o500)
     code, _, err = laws("render", push, "-o", tmp_path / "a.gif", folder=locked)
     assert (code, err) == (0, "")
+
+
+def test_a_failed_until_leaves_no_screenshot_either(push, tmp_path):
+    push.write_text(
+        PUSH
+        + """\
+  - screenshot: old.png
+  - screenshot: new.png
+  - until: {probe: body.speed, above: 100, within: 0.1s}
+"""
+    )
+    (tmp_path / "old.png").write_bytes(b"the old one")
+    code, out, err = laws("render", push, "-o", "a.gif", folder=tmp_path)
+    assert (code, out) == (1, "")
+    assert "error[until-failed]" in err
+    assert files(tmp_path) == ["old.png", "push.yaml"]
+    assert (tmp_path / "old.png").read_bytes() == b"the old one"

@@ -5,14 +5,12 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from PIL import Image
 
 from app.frames import Pixels
-from app.outputs.png import BAND, Pictures, png_bytes, write_png
-from app.outputs.promise import OutputError
+from app.outputs.png import BAND, Pictures, png_bytes
 
 Write = Callable[..., Path]
 
@@ -68,10 +66,3 @@ def test_a_shorter_film_leaves_no_frame_of_the_longer_one(
     write("frames/", pictures)
     folder = write("frames/", pictures[:3])
     assert len(list(folder.iterdir())) == 3
-
-
-def test_write_png_makes_its_folder_or_says_why_not(tmp_path: Path, pictures: list[Pixels]) -> None:
-    write_png(str(tmp_path / "out" / "still.png"), pictures[0])
-    assert np.array_equal(read((tmp_path / "out" / "still.png").read_bytes()), pictures[0])
-    with pytest.raises(OutputError, match="folder"):
-        write_png(str(tmp_path / "out"), pictures[0])

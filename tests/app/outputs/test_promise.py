@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from app.outputs.promise import OutputError, Promise, check_place, explained, write_bytes
+from app.outputs.promise import OutputError, Promise, check_place, explained
 
 
 def names(folder: Path) -> list[str]:
@@ -158,20 +158,6 @@ def test_a_place_without_permission_is_found_before_anything_is_made(
     with pytest.raises(OutputError, match="does not let you write in"):
         Promise(tmp_path / "a" / "film.gif")
     assert names(tmp_path) == []
-
-
-def test_a_full_disk_is_explained_and_the_old_file_stands(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def full(self: Path, data: bytes) -> int:
-        raise OSError(errno.ENOSPC, "No space left on device")
-
-    write_bytes(tmp_path / "report.json", b"old")
-    monkeypatch.setattr(Path, "write_bytes", full)
-    with pytest.raises(OutputError, match=r"report\.json: the disk is full"):
-        write_bytes(tmp_path / "report.json", b"new")
-    assert names(tmp_path) == ["report.json"]
-    assert (tmp_path / "report.json").read_bytes() == b"old"
 
 
 def test_an_error_without_a_sentence_of_ours_keeps_the_systems() -> None:
