@@ -1,5 +1,6 @@
 """From a scenario to its files: sets the stage, opens the outputs, runs the one loop, reports."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -12,7 +13,7 @@ from app.report import Output, Report
 from app.scenario.limits import Scale, pictures
 from app.scenario.mistakes import Mistake
 from app.scenario.model import Scenario, Screenshot
-from app.session import Cue, Session
+from app.session import Cue, Session, never_wait
 from app.stage import set_stage
 from app.watcher import Watcher
 from screens.kit.surface import Surface
@@ -29,8 +30,10 @@ class Rendered:
     """One for each `expect` that did not hold; the films were made all the same."""
 
 
-def render(scenario: Scenario, watcher: Watcher | None = None) -> Rendered:
-    """Carry a scenario out and write all its outputs.
+def render(
+    scenario: Scenario, watcher: Watcher | None = None, pace: Callable[[], None] = never_wait
+) -> Rendered:
+    """Carry a scenario out and write all its outputs; `pace` is called after each tick.
 
     Raises NotBegun if an output cannot be begun, OutputError if one cannot be finished, and
     ScenarioFailed or NothingFilmed if the scenario cannot be carried out. Whatever is raised, no
@@ -60,7 +63,7 @@ def render(scenario: Scenario, watcher: Watcher | None = None) -> Rendered:
 
         watcher.begun(scenario, expected_frames(scenario))
         listeners = [report.moment, *(track.moment for track in deliverables.tracks)]
-        Session(lesson, camera, listeners, heed).run(player.play())
+        Session(lesson, camera, listeners, heed, pace).run(player.play())
         outputs = deliverables.finish(report, player.checks, watcher)
     return Rendered(tuple(outputs), camera.clock.frames, tuple(player.failures()))
 

@@ -8,16 +8,18 @@ gc.disable()  # imports make no garbage; who draws turns it on again
 
 import sys  # noqa: E402
 
-from app.cli import program, streams  # noqa: E402
-from app.cli.stopping import Stopped, heed_signals  # noqa: E402
+from app.cli import streams  # noqa: E402
+from app.cli.stopping import Stopped, wish  # noqa: E402
 
 
 def main() -> None:
     """Run the command in `sys.argv` and exit with its code; no traceback without `--debug`."""
     streams.prepare()
-    heed_signals()
     debug = "--debug" in sys.argv
     try:
+        wish.heed_signals()
+        from app.cli import program  # takes time, in which Ctrl-C may come already
+
         program.laws()
     except Stopped as stopped:
         sys.exit(stopped.exit_code)

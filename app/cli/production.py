@@ -10,6 +10,7 @@ from app.camera import NothingFilmed
 from app.cli import streams
 from app.cli.loading import count, load_all, show
 from app.cli.progress import watching
+from app.cli.stopping import wish
 from app.deliverables import NotBegun
 from app.installation import installed, pygame_trouble
 from app.outputs import OutputError
@@ -67,7 +68,7 @@ def ready(watcher: Watcher) -> bool:
 def attempt(scenario: Scenario, watcher: Watcher) -> tuple[int, Rendered | None]:
     """Render one scenario; the exit code, and what was made if anything was."""
     try:
-        rendered = render(scenario, watcher)
+        rendered = render(scenario, watcher, wish.insist)
     except NotBegun as error:
         complain(str(error), watcher)
         return REFUSED, None

@@ -15,14 +15,33 @@ class Stopped(BaseException):
         self.exit_code = 128 + number
 
 
-def heed_signals() -> None:
-    """From here on a signal raises Stopped, once; while things are put away, more do nothing."""
-    for number in SIGNALS:
-        if signal.getsignal(number) is not signal.SIG_IGN:
-            signal.signal(number, _stop)
+class Wish:
+    """Whether somebody wants this process to end."""
+
+    def __init__(self) -> None:
+        """Nobody does."""
+        self._number: int | None = None
+
+    def heed_signals(self) -> None:
+        """From here on a signal raises Stopped, once; while things are put away, more do nothing.
+
+        Signals that were ignored before, as under nohup, stay so.
+        """
+        for number in SIGNALS:
+            if signal.getsignal(number) is not signal.SIG_IGN:
+                signal.signal(number, self._stop)
+
+    def insist(self) -> None:
+        """Raise Stopped again if a signal came: what it raises in a callback goes nowhere."""
+        if self._number is not None:
+            raise Stopped(self._number)
+
+    def _stop(self, number: int, frame: FrameType | None) -> None:
+        for each in SIGNALS:
+            signal.signal(each, signal.SIG_IGN)
+        self._number = number
+        raise Stopped(number)
 
 
-def _stop(number: int, frame: FrameType | None) -> None:
-    for each in SIGNALS:
-        signal.signal(each, signal.SIG_IGN)
-    raise Stopped(number)
+wish = Wish()
+"""Of this process: it has its signals once."""
