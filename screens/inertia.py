@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from engine import Collision, Force, Polygon, Push, Vector, World
 from screens.kit import arrows, hits, page, probes, theme
-from screens.kit.bodies import conceal, enclose, fitting, opacity
+from screens.kit.bodies import conceal, enclose, leaving, opacity
 from screens.kit.canvas import Canvas
 from screens.kit.dial import STRONGEST, ForceDial
 from screens.kit.events import Event, Resize, Tap, Tick
@@ -180,34 +180,32 @@ class Inertia:
             page.filled_button(surface, buttons["force.toggle"])
 
     def _draw_vectors(self, canvas: Canvas) -> None:
-        """Impulses of the walls, the force while it acts, the velocity; then their labels."""
+        """Impulses of the walls, the velocity, the force while it acts; then their labels."""
         words, now = self.words, self.world.time
-        labels: list[tuple[str, Point, theme.Color, float]] = []
+        vectors: list[tuple[str, Vector, float, arrows.Kind, float]] = []
         for hit in hits.strongest(self.hits, 2):
             given = hit.impulse if hit.b is self.body else Vector(-hit.impulse.x, -hit.impulse.y)
-            faded = hits.fading(hit, now)
-            reach = hits.reach(given, PER_IMPULSE, LONGEST)
-            tip = canvas.arrow(hit.point, reach, arrows.FORCE, faded)
             shown = page.measured(hits.size(given), words("unit.impulse"), 2)
             label = words("inertia.wall", impulse=shown)
-            labels.append((label, tip, theme.ORANGE, faded))
-        velocity = self.body.velocity
+            faded = hits.fading(hit, now)
+            vectors.append((label, given, PER_IMPULSE, arrows.FORCE, faded))
         if self.body.speed * PER_SPEED >= 1.0:
-            edge, aside = canvas.edge(self.body, velocity), self._aside(velocity)
-            scale = canvas.view.scale
-            start = (edge[0] + aside.x / scale, edge[1] + aside.y / scale)
-            reach = hits.reach(velocity, PER_SPEED, LONGEST)
-            tip = _arrow(canvas, start, reach, arrows.VELOCITY)
             shown = "v " + page.measured(self.body.speed, words("unit.speed"), 2)
-            labels.append((shown, tip, theme.YELLOW, 1.0))
+            vectors.append((shown, self.body.velocity, PER_SPEED, arrows.VELOCITY, 1.0))
         if self.push and self.force != (0.0, 0.0):
-            start = canvas.edge(self.body, self.force)
-            reach = hits.reach(self.force, PER_NEWTON, LONGEST)
-            tip = _arrow(canvas, start, reach, arrows.FORCE)
             shown = "F " + page.measured(hits.size(self.force), words("unit.N"), 1)
-            labels.append((shown, tip, theme.ORANGE, 1.0))
-        for shown, anchor, color, faded in labels:
-            canvas.label(shown, anchor, color, faded)
+            vectors.append((shown, self.force, PER_NEWTON, arrows.FORCE, 1.0))
+        labels: list[tuple[str, Point, Point, theme.Color, float]] = []
+        for shown, vector, per_unit, kind, faded in vectors:
+            reach = hits.reach(vector, per_unit, LONGEST)
+            start, part = leaving(canvas, self.body, reach, RADIUS)
+            if kind is arrows.VELOCITY:
+                aside, scale = self._aside(vector), canvas.view.scale
+                start = Vector(start.x + aside.x / scale, start.y + aside.y / scale)
+            tip = canvas.arrow(start, (reach[0] * part, reach[1] * part), kind, faded)
+            labels.append((shown, tip, Point(reach[0], -reach[1]), kind.color, faded))
+        for shown, tip, ahead, color, faded in labels:
+            canvas.label(shown, tip, color, faded, ahead=ahead)
 
     def _numbers(self) -> list[tuple[str, str, theme.Color]]:
         """Heading, value and colour of the readouts."""
@@ -270,14 +268,6 @@ class Inertia:
         part = BESIDE * max(along / sizes, 0.0) ** 2 if sizes else 0.0
         speed = hits.size(velocity)
         return Vector(-velocity.y / speed * part, velocity.x / speed * part)
-
-
-def _arrow(
-    canvas: Canvas, at: tuple[float, float], reach: tuple[float, float], kind: arrows.Kind
-) -> Point:
-    """An arrow (from m, by dp) as long as the canvas lets it be; returns its tip (dp)."""
-    part = fitting(canvas, at, reach)
-    return canvas.arrow(at, (reach[0] * part, reach[1] * part), kind)
 
 
 def _readouts(area: Layout) -> list[Rect]:

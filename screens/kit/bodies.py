@@ -11,6 +11,8 @@ HEAD_ROOM = 3.0
 """What stays free between the head of an arrow and the border of the canvas (dp)."""
 SHORTEST = 0.3
 """Arrows that would leave the canvas are shortened to this part of themselves at most."""
+BESIDE = 7.0
+"""How far beside a body an arrow is drawn that has no room before it (dp)."""
 SIDES = ("left", "top", "right", "bottom")
 
 
@@ -37,7 +39,7 @@ def opacity(mass: float, light: float, heavy: float) -> float:
 
 
 def fitting(canvas: Canvas, at: tuple[float, float], reach: tuple[float, float]) -> float:
-    """How much of an arrow may be drawn for its head to stay in the canvas, 0.3..1.
+    """How much of an arrow may be drawn for its head to stay in the canvas, at most 1.
 
     `at` is where it starts (m), `reach` how far it goes (dp, +y up).
     """
@@ -49,7 +51,38 @@ def fitting(canvas: Canvas, at: tuple[float, float], reach: tuple[float, float])
     ):
         if way != 0.0:
             part = min(part, ((high if way > 0.0 else low) - here) / way)
-    return max(part, SHORTEST)
+    return part
+
+
+def leaving(
+    canvas: Canvas, body: Body, reach: tuple[float, float], radius: float
+) -> tuple[Vector, float]:
+    """Where an arrow that leaves a body starts (m), and how much of its `reach` (dp) is drawn.
+
+    It starts on the outline; if there is no room before the body, all of it is drawn beside.
+    """
+    start = Vector(*canvas.edge(body, reach))
+    part = fitting(canvas, start, reach)
+    if part >= SHORTEST:
+        return start, part
+    return beside(canvas, body.position, reach, radius), 1.0
+
+
+def beside(canvas: Canvas, center: Vector, reach: tuple[float, float], radius: float) -> Vector:
+    """Where an arrow starts (m) that lies beside a body of some radius (m), with its head in sight.
+
+    Of both sides of the body the one that is nearer to the middle of the room.
+    """
+    scale, (dx, dy) = canvas.view.scale, reach
+    length = math.sqrt(dx * dx + dy * dy)
+    away = radius + BESIDE / scale
+    x, y = -dy / length * away, dx / length * away
+    if x * center.x + y * center.y > 0.0:
+        x, y = -x, -y
+    middle = (center.x + x, center.y + y)
+    front = radius * scale / length
+    ahead = front * fitting(canvas, middle, (front * dx, front * dy)) - 1.0
+    return Vector(middle[0] + ahead * dx / scale, middle[1] + ahead * dy / scale)
 
 
 def conceal(canvas: Canvas, body: Body) -> None:

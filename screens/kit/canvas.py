@@ -170,10 +170,13 @@ class Canvas:
         color: Color,
         alpha: float = 1,
         gap: float = 6,
-        prefer: Rect | None = None,
+        ahead: Point | None = None,
     ) -> Rect | None:
-        """A pill at a free place near `anchor` (dp); None, and nothing drawn, if there is none."""
-        place = self.labels.place(self.pill_size(words), anchor, gap, prefer)
+        """A pill at a free place near `anchor` (dp), in the direction `ahead` of it if possible.
+
+        None, and nothing drawn, if there is none.
+        """
+        place = self.labels.place(self.pill_size(words), anchor, gap, ahead)
         if place is not None:
             self.pill(words, place, color, alpha)
         return place

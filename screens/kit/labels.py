@@ -66,18 +66,29 @@ class Labels:
         return bool(self._free(corner, Size(rect.width, rect.height), taken)[0])
 
     def place(
-        self, size: Size, anchor: Point, gap: float = 6, prefer: Rect | None = None
+        self, size: Size, anchor: Point, gap: float = 6, ahead: Point | None = None
     ) -> Rect | None:
         """Find a free place for a label of `size` near `anchor`, `gap` dp from it, and block it.
 
-        `prefer` (where it stood before) is taken if it is still free. None: there is no free place.
+        The first choice lies in the direction `ahead` of the anchor: with an arrow that moves a
+        label moves as smoothly. None: there is no free place.
         """
-        found = prefer if prefer is not None and self.is_free(prefer) else None
+        found = self._ahead(size, anchor, gap, ahead) if ahead is not None else None
         if found is None:
             found = self._nearest(size, anchor, gap)
         if found is not None:
             self.block(found)
         return found
+
+    def _ahead(self, size: Size, anchor: Point, gap: float, ahead: Point) -> Rect | None:
+        """The place before an arrow's head, if it is free."""
+        length = math.sqrt(ahead.x * ahead.x + ahead.y * ahead.y)
+        if length == 0.0:
+            return None
+        x = anchor.x + ahead.x / length * (gap + size.width / 2) - size.width / 2
+        y = anchor.y + ahead.y / length * (gap + size.height / 2) - size.height / 2
+        place = Rect(x, y, size.width, size.height)
+        return place if self.is_free(place) else None
 
     def _nearest(self, size: Size, anchor: Point, gap: float) -> Rect | None:
         """The first free place: the nearest ring first, then all the others."""

@@ -1,4 +1,4 @@
-"""Labels cover nothing, stay inside, and stand where they stood."""
+"""Labels cover nothing, stay inside, and stand before the heads of arrows."""
 
 from hypothesis import given
 from hypothesis import strategies as st
@@ -60,12 +60,20 @@ def test_the_first_choice_is_above_the_anchor():
     assert place == Rect(110, 274, 80, 20)
 
 
-def test_a_label_stays_where_it_stood_while_that_is_free():
-    old = Rect(200, 200, 80, 20)
-    assert Labels(BOUNDS).place(Size(80, 20), Point(50, 400), prefer=old) == old
+def test_a_label_stands_before_an_arrow_while_that_is_free():
+    ahead = Labels(BOUNDS).place(Size(80, 20), Point(150, 300), gap=6, ahead=Point(5, 0))
+    assert ahead == Rect(156, 290, 80, 20)
     labels = Labels(BOUNDS)
-    labels.block(Rect(210, 205, 5, 5))
-    assert labels.place(Size(80, 20), Point(50, 400), prefer=old) != old
+    labels.block(Rect(210, 295, 5, 5))
+    elsewhere = labels.place(Size(80, 20), Point(150, 300), gap=6, ahead=Point(5, 0))
+    assert elsewhere == Rect(110, 274, 80, 20)
+
+
+def test_a_label_moves_as_little_as_its_arrow():
+    before = Labels(BOUNDS).place(Size(80, 20), Point(150, 300), ahead=Point(40, 9.5))
+    after = Labels(BOUNDS).place(Size(80, 20), Point(150.3, 300), ahead=Point(40.3, 10.5))
+    assert abs(after.x - before.x) < 2
+    assert abs(after.y - before.y) < 2
 
 
 def test_there_may_be_no_place():
