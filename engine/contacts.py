@@ -19,6 +19,10 @@ DAMPING = 10.0
 MOST_HERTZ = 60.0
 """Frequency of the spring (1/s), for substeps that are short enough to follow it."""
 
+SAG = 2e-3
+"""Greatest overlap by the softness of the spring, in reaches of the smaller body: where a load
+would press deeper, the spring is made stiffer."""
+
 DEEP = 0.02
 """Overlap whose correction lends so much velocity that it takes more sweeps to take it back, as a
 share of the smaller body's reach."""
@@ -52,6 +56,7 @@ def prepare(t: Tables, pair: int, half: float) -> None:
     t.pairs.normal_x[pair] = t.touch.normal_x[0]
     t.pairs.normal_y[pair] = t.touch.normal_y[0]
     share = 2.0 * half / t.pairs.part[pair] if t.pairs.part[pair] > 0.0 else 0.0
+    t.pairs.give[pair] = softness_left(t, pair, 2.0 * half)
     t.pairs.part[pair] = 2.0 * half
     for i in range(points):
         feature = t.touch.feature[i]
@@ -69,6 +74,25 @@ def prepare(t: Tables, pair: int, half: float) -> None:
         contacts.normal_impulse[row] = normal * share
         contacts.tangent_impulse[row] = tangent * share
         measure(t, pair, row, t.touch.x[i], t.touch.y[i])
+
+
+def softness_left(t: Tables, pair: int, part: float) -> float:
+    """Share of its softness that a contact may have under its load, 0..1.
+
+    The load is an acceleration (m/s^2): what the contact carried in its last part, or what forces
+    press together now. A spring of circular frequency w yields to it by load / w^2.
+    """
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    nx = t.pairs.normal_x[pair]
+    ny = t.pairs.normal_y[pair]
+    load = (bodies.ax[a] - bodies.ax[b]) * nx + (bodies.ay[a] - bodies.ay[b]) * ny
+    if t.pairs.part[pair] > 0.0 and t.pairs.carried[pair] > load * t.pairs.part[pair]:
+        load = t.pairs.carried[pair] / t.pairs.part[pair]
+    omega = frequency(part, bodies.inverse_mass[a] == 0.0 or bodies.inverse_mass[b] == 0.0)
+    most = SAG * t.pairs.size[pair] * omega * omega
+    return 1.0 if load <= most else most / load
 
 
 def measure(t: Tables, pair: int, row: int, x: float, y: float) -> None:
@@ -256,7 +280,9 @@ def solve(t: Tables, pair: int, part: float, relaxing: bool) -> None:
     vy_b = bodies.kick_y[b]
     spin_b = bodies.kick_spin[b]
     fixed = mass_a == 0.0 or mass_b == 0.0
-    rate, stiff, soft = softness(part, fixed)
+    rate, yielding = softness(part, fixed)
+    soft = yielding * t.pairs.give[pair]
+    stiff = 1.0 - soft
     for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
         a_x = contacts.a_x[row]
         a_y = contacts.a_y[row]
@@ -322,17 +348,24 @@ def solve(t: Tables, pair: int, part: float, relaxing: bool) -> None:
     bodies.kick_spin[b] = spin_b
 
 
-def softness(part: float, fixed: bool) -> tuple[float, float, float]:
-    """Rate (1/s), share of mass and share of impulse of the spring; doubly stiff on a wall."""
+def frequency(part: float, fixed: bool) -> float:
+    """Circular frequency of the spring (1/s); doubly stiff on a wall."""
     hertz = 0.25 / part
     if hertz > MOST_HERTZ:
         hertz = MOST_HERTZ
     if fixed:
         hertz *= 2.0
-    omega = 2.0 * math.pi * hertz
+    return 2.0 * math.pi * hertz
+
+
+def softness(part: float, fixed: bool) -> tuple[float, float]:
+    """Rate (1/s) at which overlaps are corrected, and share of the impulse that the spring drops.
+
+    What is left of one is the share of the full mass with which it acts.
+    """
+    omega = frequency(part, fixed)
     damped = 2.0 * DAMPING + part * omega
-    stiff = part * omega * damped
-    return omega / damped, stiff / (1.0 + stiff), 1.0 / (1.0 + stiff)
+    return omega / damped, 1.0 / (1.0 + part * omega * damped)
 
 
 def remember(t: Tables, pair: int) -> None:

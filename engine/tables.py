@@ -183,6 +183,8 @@ class Pairs(NamedTuple):
     """Change of normal velocity that the resting contact brought about in its last part (m/s)."""
     part: Floats
     """Length of that part (s)."""
+    give: Floats
+    """Share of its softness that the resting contact has, 0..1: less under a great load."""
     struck: Floats
     """Time of the last impact since the present tick began (s), mostly negative."""
     meeting: Floats
