@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from engine import Collision, Force, Polygon, Push, Vector, World
 from screens.kit import arrows, hits, page, probes, theme
 from screens.kit.bodies import conceal, enclose, leaving, opacity
-from screens.kit.canvas import Canvas
+from screens.kit.canvas import Canvas, bar_room
 from screens.kit.dial import STRONGEST, ForceDial
 from screens.kit.events import Event, Resize, Tap, Tick
 from screens.kit.geometry import Point, Rect, Size
@@ -157,7 +157,7 @@ class Inertia:
         area = layout(self.size)
         surface.static((*self._key, bool(self.push)), self._draw_page)
         canvas = Canvas(surface, self.view.rect, self.room)
-        canvas.labels.block(canvas.bar_room())
+        canvas.labels.block(bar_room(canvas.rect))
         canvas.trail([at for at in self.trail if math.dist(at, self.body.position) > RADIUS])
         conceal(canvas, self.body)
         canvas.body(self.body, theme.TEAL, opacity(self.body.mass, LIGHT, HEAVY))

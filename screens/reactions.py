@@ -5,12 +5,13 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from engine import Body, Collision, Force, Particle, Push, Vector, Wall, World
-from screens.kit import arrows, gauge, hits, page, probes, theme
-from screens.kit.bodies import conceal, distance, enclose, fitting, opacity
-from screens.kit.canvas import Canvas
+from screens.kit import gauge, hits, impulses, page, probes, theme
+from screens.kit.bodies import conceal, distance, enclose, opacity
+from screens.kit.canvas import Canvas, bar_room
 from screens.kit.events import Event, Resize, Tap, Tick, Tilt
 from screens.kit.geometry import Point, Rect, Size
-from screens.kit.layout import GAP, TOUCH, Layout, columns, layout, rows
+from screens.kit.impulses import Mark
+from screens.kit.layout import GAP, TOUCH, Layout, layout, rows
 from screens.kit.view import View, room_of
 from screens.kit.widgets import NAVIGATION, navigation, touched
 from screens.kit.words import Words
@@ -31,16 +32,6 @@ LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
 """Names of the balls as a pupil sees them; there are no more balls than letters."""
 LIGHTEST, HEAVIEST = 0.125, 16.0
 """Range of the masses that can be tapped, in masses of the first ball."""
-PER_IMPULSE, LONGEST = 32.0, 72.0
-"""Length of the arrow of an impulse (dp per N s), and how long it can get (dp)."""
-ARROWS, LABELS = 5, 3
-"""How many hits at once show their impulses, and how many say how great they are: the strongest."""
-FAINTEST = 0.02
-"""The least impulse that gets a label (N s)."""
-NEAR = 0.95
-"""An arrow nearer to the middle of a ball than this many radii is hidden by it."""
-BESIDE = 7.0
-"""How far beside the ball the arrow of the push on a wall is drawn (dp)."""
 CROSS = 6.0
 """Half the size of the cross where a ball found no room (dp)."""
 NOTICE = 1.5
@@ -79,9 +70,11 @@ class Reactions:
         known = {name: s.default for name, s in self.SETTINGS.items() if s.default is not None}
         self.chosen = {**known, **settings}
         enclose(self.world, self.room)
+        self.inner: list[Wall] = []
         for number, ends in enumerate(INNER, start=1):
             start, end = (self._in_room(end) for end in ends)
             self.world.add(Wall(start, end), name=f"wall.{number}")
+            self.inner.append(Wall(start, end))
         self.ball_mass = self.chosen["particle.mass"]
         """Of the next ball (kg)."""
         self.balls: list[Body] = []
@@ -89,7 +82,7 @@ class Reactions:
         self.tilt = Tilt(0.0, 0.0)
         self.collisions: Sequence[Collision] = ()
         self.collision_count = 0
-        self.hits: tuple[Collision, ...] = ()
+        self.marks: tuple[Mark, ...] = ()
         self.last_hit: Collision | None = None
         self.refusal: tuple[str, Point, float] | None = None
         """Name of the sentence that explains why a tap gave no ball, the place, the time (s)."""
@@ -99,6 +92,7 @@ class Reactions:
         match event:
             case Resize(size=size):
                 self.size = size
+                self.marks = tuple(Mark(mark.hit) for mark in self.marks)
             case Tick(dt=dt):
                 self._advance(dt)
             case Tilt():
@@ -160,17 +154,13 @@ class Reactions:
         key = (self.id, self.words.file, self.size, self.room, self.ball_mass)
         surface.static(key, self._draw_page)
         canvas = Canvas(surface, self.view.rect, self.room)
-        canvas.labels.block(canvas.bar_room())
-        for ends in INNER:
-            a, b = (canvas.view.to_screen(self._in_room(end)) for end in ends)
-            canvas.labels.block_line(a, b, theme.WALL_WIDTH)
-        shown = hits.strongest(self.hits, ARROWS)
-        drawn = [shaft for hit in shown for shaft in self._draw_impulses(canvas, hit)]
+        under = impulses.draw(canvas, self.marks, self.world.time)
+        under.append(bar_room(canvas.rect))
         for number, ball in enumerate(self.balls):
-            self._draw_ball(canvas, ball, LETTERS[number], drawn)
-        for hit in hits.strongest(shown, LABELS):
-            self._draw_label(canvas, hit)
-        self._draw_refusal(canvas)
+            color = theme.BODY_COLORS[number % len(theme.BODY_COLORS)]
+            self._draw_ball(canvas, ball, LETTERS[number], color, under)
+        if self.refusal:
+            self._draw_refusal(canvas, *self.refusal)
         place = _readouts(layout(self.size))[0]
         gauge.draw(surface, place, self.tilt, self.force, self.words)
         self._draw_numbers(surface)
@@ -181,12 +171,9 @@ class Reactions:
         page.page(surface, area, words, self.id)
         canvas = Canvas(surface, self.view.rect, self.room)
         canvas.background()
-        for body in self.world:
-            if isinstance(body.shape, Wall) and body.name[5:].isdigit():
-                canvas.wall(body.shape)
-        _, count, last = _readouts(area)
-        page.heading(surface, count, words("reactions.collisions"))
-        page.heading(surface, last, words("reactions.last"))
+        for wall in self.inner:
+            canvas.wall(wall)
+        page.heading(surface, _readouts(area)[1], words("reactions.collisions"))
         buttons = {widget.id: widget for widget in self.widgets()}
         for id in ("ball.lighter", "ball.heavier", "clear"):
             page.outlined_button(surface, buttons[id])
@@ -210,109 +197,71 @@ class Reactions:
         )
 
     def _draw_ball(
-        self, canvas: Canvas, ball: Body, letter: str, drawn: Sequence[tuple[Vector, Vector]]
+        self, canvas: Canvas, ball: Body, letter: str, color: theme.Color, under: Sequence[Rect]
     ) -> None:
-        """A ball, over the arrows `drawn` already (their ends, m): none may cross its letter."""
-        radius = self.radius(ball.mass)
-        center, bar = canvas.view.to_screen(ball.position), canvas.bar_room()
-        is_on_bar = bar.inset(-radius * canvas.view.scale).holds(center)
-        if is_on_bar or any(distance(ball.position, *way) < NEAR * radius for way in drawn):
-            conceal(canvas, ball)
-        color = theme.BODY_COLORS[LETTERS.index(letter) % len(theme.BODY_COLORS)]
+        """A ball, and nothing shows through it of what lies in the rectangles `under` (dp)."""
+        x, y = canvas.view.to_screen(ball.position)
+        radius = self.radius(ball.mass) * canvas.view.scale
+        for left, top, width, height in under:
+            if (
+                left - radius < x < left + width + radius
+                and top - radius < y < top + height + radius
+            ):
+                conceal(canvas, ball)
+                break
         first = self.chosen["particle.mass"]
         shade = opacity(ball.mass, LIGHTEST * first, HEAVIEST * first)
         canvas.body(ball, color, shade, letter)
 
-    def _draw_impulses(self, canvas: Canvas, hit: Collision) -> list[tuple[Vector, Vector]]:
-        """What b received, with a solid head, and what a received, with a hollow one.
-
-        Returns where the arrows start and end (m).
-        """
-        faded = hits.fading(hit, self.world.time)
-        reach = hits.reach(hit.impulse, PER_IMPULSE, LONGEST)
-        ends = [
-            (body, other, (sign * reach[0], sign * reach[1]), kind)
-            for body, other, sign, kind in (
-                (hit.b, hit.a, 1.0, arrows.FORCE),
-                (hit.a, hit.b, -1.0, arrows.REACTION),
-            )
-        ]
-        # Both are shortened alike, so that they are seen to be equal.
-        part = min(
-            fitting(canvas, canvas.edge(body, way), way) if not body.is_wall else 1.0
-            for body, _, way, _ in ends
-        )
-        shafts = []
-        for body, other, whole, kind in ends:
-            way = (whole[0] * part, whole[1] * part)
-            start = (
-                self._beside(canvas, hit, other, way) if body.is_wall else canvas.edge(body, way)
-            )
-            tip = canvas.view.to_world(canvas.arrow(start, way, kind, faded))
-            shafts.append((Vector(*start), tip))
-        return shafts
-
-    def _beside(
-        self, canvas: Canvas, hit: Collision, ball: Body, reach: tuple[float, float]
-    ) -> Vector:
-        """Where the push on a wall starts (m): it ends on the wall, beside the ball that gives it.
-
-        Of both sides of the ball the one that is nearer to the middle of the room.
-        """
-        scale = canvas.view.scale
-        away = self.radius(ball.mass) + BESIDE / scale
-        x, y = -hit.normal.y * away, hit.normal.x * away
-        if x * hit.point.x + y * hit.point.y > 0.0:
-            x, y = -x, -y
-        return Vector(hit.point.x + x - reach[0] / scale, hit.point.y + y - reach[1] / scale)
-
-    def _draw_label(self, canvas: Canvas, hit: Collision) -> None:
-        size = hits.size(hit.impulse)
-        if size < FAINTEST:
-            return
-        first, second = (hit.b, hit.a) if hit.a.is_wall else (hit.a, hit.b)
-        words = self.words(
-            "reactions.each",
-            a=self._letter(first),
-            b=self._letter(second),
-            impulse=page.measured(size, self.words("unit.impulse"), 2),
-        )
-        anchor = canvas.view.to_screen(hit.point)
-        canvas.label(words, anchor, theme.ORANGE, hits.fading(hit, self.world.time), gap=10)
-
-    def _draw_refusal(self, canvas: Canvas) -> None:
+    def _draw_refusal(self, canvas: Canvas, name: str, at: Point, since: float) -> None:
         """A cross where a ball found no room, and the reason."""
-        if self.refusal is None:
-            return
-        name, at, since = self.refusal
         faded = 1.0 - (self.world.time - since) / NOTICE
         for slope in (1, -1):
             a = Point(at.x - CROSS, at.y - slope * CROSS)
             b = Point(at.x + CROSS, at.y + slope * CROSS)
             canvas.surface.capsule(a, b, 2.5, theme.TEXT, faded)
+        for wall in self.inner:
+            canvas.block_wall(wall)
         words = self.words(f"reactions.{name}", count=str(len(LETTERS)))
         canvas.label(words, at, theme.TEXT, faded, gap=12)
 
     def _draw_numbers(self, surface: "Surface") -> None:
-        """How many collisions there were, and the impulse of the last one."""
+        """How many collisions there were; of the last one, whose it was, and its impulse."""
         words = self.words
         _, count, last = _readouts(layout(self.size))
         page.value(surface, count, str(self.collision_count))
         if self.last_hit:
-            size = hits.size(self.last_hit.impulse)
-            shown = page.measured(size, words("unit.impulse"), 2)
-            page.value(surface, last, shown, theme.ORANGE)
+            page.heading(surface, last, words("reactions.last_of", **self._pair(self.last_hit)))
+            page.value(surface, last, self._impulse(self.last_hit), theme.ORANGE)
+        else:
+            page.heading(surface, last, words("reactions.last"))
+
+    def _impulse(self, hit: Collision) -> str:
+        return page.measured(hits.size(hit.impulse), self.words("unit.impulse"), 2)
+
+    def _pair(self, hit: Collision) -> dict[str, str]:
+        """What a pupil calls the bodies of a hit; a wall comes second."""
+        first, second = (hit.b, hit.a) if hit.a.is_wall else (hit.a, hit.b)
+        return {"a": self._letter(first), "b": self._letter(second)}
 
     def _letter(self, body: Body) -> str:
-        """What a pupil calls a body."""
         return self.words("reactions.wall") if body.is_wall else LETTERS[self.balls.index(body)]
+
+    def _said(self, hit: Collision) -> str:
+        """What is written beside a hit."""
+        return self.words("reactions.each", impulse=self._impulse(hit), **self._pair(hit))
+
+    def _place(self, hit: Collision, words: str, marks: Sequence[Mark]) -> Rect | None:
+        """Where that is written (dp)."""
+        return impulses.find_place(self.view, self.inner, self.balls, marks, hit, words)
 
     def _advance(self, dt: float) -> None:
         self.collisions = self.world.step(dt)
         self.collision_count += len(self.collisions)
-        self.hits = hits.fresh((*self.hits, *self.collisions), self.world.time)
-        if self.hits:
-            self.last_hit = self.hits[-1]
+        now = self.world.time
+        self.marks = impulses.remember(self.marks, self.collisions, now, self._said, self._place)
+        if self.marks:
+            self.last_hit = self.marks[-1].hit
         if self.refusal and self.world.time - self.refusal[2] > NOTICE:
             self.refusal = None
 
@@ -375,7 +324,7 @@ class Reactions:
         for ball in self.balls:
             self.world.remove(ball)
         self.balls, self.pushes = [], []
-        self.hits, self.last_hit, self.refusal = (), None, None
+        self.marks, self.last_hit, self.refusal = (), None, None
         self.collision_count = 0
 
 
@@ -396,7 +345,7 @@ def controls(area: Layout) -> tuple[Rect, Rect, Rect, Rect]:
 def _readouts(area: Layout) -> list[Rect]:
     """Places of the gauge, of the number of collisions and of the last impulse."""
     if area.portrait:
-        return page.shares(area.readouts, (176.0, 70.0, 82.0))
+        return page.shares(area.readouts, (160.0, 56.0, 112.0))
     x, y, width, _ = area.readouts
     below = Rect(x, area.readouts.bottom - 30, width, 30.0)
-    return [Rect(x, y, width, gauge.HEIGHT), *columns(below, 2)]
+    return [Rect(x, y, width, gauge.HEIGHT), *page.shares(below, (60.0, 116.0))]

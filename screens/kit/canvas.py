@@ -81,11 +81,6 @@ class Canvas:
             words, middle, theme.SMALL, theme.TEXT_MEDIUM, align="center", valign="baseline"
         )
 
-    def bar_room(self) -> Rect:
-        """Where the scale bar stands."""
-        width = 0.22 * self.rect.width + 4
-        return Rect(self.rect.x + 8, self.rect.bottom - 28, width, 24)
-
     def body(self, body: Body, color: Color, opacity: float = 1, letter: str = "") -> None:
         """A body, pale by `opacity` but with a full outline, and a letter on it.
 
@@ -117,7 +112,12 @@ class Canvas:
         b = self.view.to_screen(wall.end)
         with self.surface.clip(self.rect):
             self.surface.capsule(a, b, theme.WALL_WIDTH, color)
-        self.labels.block_line(a, b, theme.WALL_WIDTH)
+        self.block_wall(wall)
+
+    def block_wall(self, wall: Wall) -> None:
+        """Keep labels off a wall that is drawn already."""
+        ends = self.view.to_screen(wall.start), self.view.to_screen(wall.end)
+        self.labels.block_line(*ends, theme.WALL_WIDTH)
 
     def arrow(
         self, at: tuple[float, float], reach: tuple[float, float], kind: Kind, alpha: float = 1
@@ -220,6 +220,11 @@ class Canvas:
     def _whole(self, width: float) -> float:
         """A line width (dp) of whole pixels, at least one."""
         return max(1, round(width * self.surface.scale)) / self.surface.scale
+
+
+def bar_room(rect: Rect) -> Rect:
+    """Where the scale bar of a canvas stands (dp)."""
+    return Rect(rect.x + 8, rect.bottom - 28, 0.22 * rect.width + 4, 24)
 
 
 GAP_TO_BORDER = 4.0

@@ -11,9 +11,14 @@ LEAST = 0.005
 """Weaker impulses (N s) are not shown: those of a body that comes to rest on a wall."""
 
 
+def is_fresh(hit: Collision, now: float) -> bool:
+    """Whether a collision is still shown at a time of the world (s)."""
+    return now - hit.time < FADE and size(hit.impulse) >= LEAST
+
+
 def fresh(hits: Iterable[Collision], now: float) -> tuple[Collision, ...]:
     """Those that are still shown at a time of the world (s)."""
-    return tuple(hit for hit in hits if now - hit.time < FADE and size(hit.impulse) >= LEAST)
+    return tuple(hit for hit in hits if is_fresh(hit, now))
 
 
 def fading(hit: Collision, now: float) -> float:

@@ -53,8 +53,9 @@ class Surface:
         self.size = Size(width / self.scale, height / self.scale)
         """(dp)"""
         self.type: Type = _like.type if _like else Type(self.scale)
-        self._lines: Cache[list[tuple[str, int]]] = _like._lines if _like else Cache(1 << 20)
+        self._lines: Cache[list[tuple[str, float]]] = _like._lines if _like else Cache(1 << 20)
         self._letters: Cache[tuple[float, int]] = _like._letters if _like else Cache(1 << 20)
+        self._rises: dict[Style, int] = _like._rises if _like else {}
         self._layers: Cache[Surface] = Cache(LAYERS)
 
     def pixels(self) -> NDArray[np.uint32]:
@@ -204,7 +205,7 @@ class Surface:
             baseline += above
         elif valign == "middle":
             baseline += (CAP_HEIGHT * em - (len(broken) - 1) * leading) / 2
-        widest = 0
+        widest = 0.0
         for row, (line, wide) in enumerate(broken):
             widest = max(widest, wide)
             left = at[0] * scale - _share(align) * wide
@@ -266,7 +267,7 @@ class Surface:
 
     def _break(
         self, words: str, style: Style, width: float | None, lines: int | None
-    ) -> list[tuple[str, int]]:
+    ) -> list[tuple[str, float]]:
         """The lines that words are broken into, and how wide each is (px)."""
         pixels = None if width is None else width * self.scale
         key = (words, style, pixels, lines)
@@ -287,13 +288,20 @@ class Surface:
             self._letters.keep((words, style), found, 200 + 2 * len(words))
         return found
 
+    def _rise(self, style: Style) -> int:
+        """Rows of a line's mask above its baseline (px)."""
+        rise = self._rises.get(style)
+        if rise is None:
+            rise = self._rises[style] = self.type.line_rise(style)
+        return rise
+
     def _line(
         self, line: str, left: float, baseline: float, style: Style, color: Color, alpha: float
     ) -> None:
         if not (line and alpha > 0 and abs(left) < FAR and abs(baseline) < FAR):
             return
         em = self.type.pixels(style)
-        top = round(baseline) - self.type.font(style.weight, em).get_ascent()
+        top = round(baseline) - self._rise(style)
         key, place = ("line", line, style.weight, em), (round(left), top)
         if not self._picture.restamp(key, color, alpha, *place):
             mask = self._picture.mask(key)

@@ -14,6 +14,11 @@ ASCENT, DESCENT, CAP_HEIGHT = 0.96875, 0.2412109375, 0.7275390625
 """Of Inter, in em."""
 FINE = 4
 """Floating letters are set this many times too large, to be placed to a quarter of a pixel."""
+FINENESS = ((24, 4), (60, 2))
+"""Lines up to an em of so many pixels are set so many times too large and made smaller.
+
+Fonts place letters on whole pixels, which is uneven if they are small.
+"""
 LONGEST = 500
 """A line is cut after this many characters: a picture of it would be wider than any screen."""
 ELLIPSIS = "\u2026"
@@ -46,9 +51,15 @@ class Type:
             self._fonts[weight, pixels] = font
         return font
 
-    def width(self, words: str, style: Style) -> int:
+    def width(self, words: str, style: Style) -> float:
         """Width of a single line (px)."""
-        return self.font(style.weight, self.pixels(style)).size(words)[0]
+        fine = self._fineness(style)
+        return self.font(style.weight, fine * self.pixels(style)).size(words)[0] / fine
+
+    def _fineness(self, style: Style) -> int:
+        """How many times too large a line is set."""
+        pixels = self.pixels(style)
+        return next((fine for most, fine in FINENESS if pixels <= most), 1)
 
     def lines(
         self, words: str, style: Style, width: float | None = None, most: int | None = None
@@ -100,12 +111,18 @@ class Type:
         return low
 
     def line(self, words: str, style: Style) -> Coverage:
-        """The mask of one line; its baseline is below the font's ascent."""
-        return _coverage(self.font(style.weight, self.pixels(style)), words)
+        """The mask of one line; `line_rise` of its rows are above the baseline."""
+        fine = self._fineness(style)
+        return _shrunk(self.font(style.weight, fine * self.pixels(style)), words, fine)
+
+    def line_rise(self, style: Style) -> int:
+        """How many rows of the mask of a line are above the baseline."""
+        fine = self._fineness(style)
+        return _rise(self.font(style.weight, fine * self.pixels(style)), fine)
 
     def rise(self, style: Style) -> int:
         """How many rows of a floating mask are above the baseline."""
-        return -(-self.font(style.weight, FINE * self.pixels(style)).get_ascent() // FINE)
+        return _rise(self.font(style.weight, FINE * self.pixels(style)), FINE)
 
     def fine_width(self, words: str, style: Style) -> float:
         """Width of a floating line (px), to a quarter."""
@@ -117,22 +134,37 @@ class Type:
     def floating(self, words: str, style: Style, right: int, down: int) -> Coverage:
         """The mask of a short line shifted by `right` and `down` quarters of a pixel."""
         font = self.font(style.weight, FINE * self.pixels(style))
-        fine = _coverage(font, printable(words)[:LONGEST])
-        rise = self.rise(style)
-        above = rise * FINE - font.get_ascent() + down
-        rows = -(-(above + fine.shape[0]) // FINE)
-        columns = -(-(right + fine.shape[1]) // FINE)
-        room = np.zeros((rows * FINE, columns * FINE), np.uint32)
-        room[above : above + fine.shape[0], right : right + fine.shape[1]] = fine
-        sums = room.reshape(rows, FINE, columns, FINE).sum(axis=(1, 3))
-        cells = FINE * FINE
-        mask: Coverage = ((sums + cells // 2) // cells).astype(np.uint8)
-        return mask
+        return _shrunk(font, printable(words)[:LONGEST], FINE, right, down)
 
 
 def printable(words: str) -> str:
     """The words with a space for every character that has no picture."""
     return "".join(c if c.isprintable() or c == THIN_SPACE else " " for c in words)
+
+
+def _rise(font: pygame.font.Font, fine: int) -> int:
+    """Whole pixels above the baseline of words that are set `fine` times too large."""
+    return -(-font.get_ascent() // fine)
+
+
+def _shrunk(
+    font: pygame.font.Font, words: str, fine: int, right: int = 0, down: int = 0
+) -> Coverage:
+    """The mask of words that are set `fine` times too large, moved by such fine pixels."""
+    large = _coverage(font, words)
+    if fine == 1:
+        return large
+    above = _rise(font, fine) * fine - font.get_ascent() + down
+    rows = -(-(above + large.shape[0]) // fine)
+    columns = -(-(right + large.shape[1]) // fine)
+    room = np.zeros((rows * fine, columns * fine), np.uint8)
+    room[above : above + large.shape[0], right : right + large.shape[1]] = large
+    sums = np.full((rows, columns), fine * fine // 2, np.uint16)
+    for row in range(fine):
+        for column in range(fine):
+            sums += room[row::fine, column::fine]
+    sums //= fine * fine
+    return sums.astype(np.uint8)
 
 
 def _coverage(font: pygame.font.Font, words: str) -> Coverage:

@@ -28,7 +28,7 @@ class Room(NamedTuple):
 
 UPRIGHT, ACROSS = Room(-3.0, -3.25, 3.0, 3.25), Room(-3.75, -3.0, 3.75, 3.0)
 """Rooms of upright and of other screens, if they are shaped like the reference screens."""
-STEP = 0.25
+STEP = 0.01
 """Rooms grow in steps of this (m), to each side half of it."""
 
 

@@ -7,7 +7,7 @@ import pytest
 
 from engine import Circle, Particle, Polygon, Wall, World
 from screens.kit import arrows, theme
-from screens.kit.canvas import Canvas, letter_color
+from screens.kit.canvas import Canvas, bar_room, letter_color
 from screens.kit.geometry import Point, Rect
 from screens.kit.surface import Surface
 from screens.kit.view import Room
@@ -137,7 +137,7 @@ def test_the_scale_bar_has_the_length_it_names():
     row = blue(canvas)[int(RECT.bottom - 10) - 1]
     lit = np.flatnonzero(row)
     assert lit.max() - lit.min() + 1 == METRE
-    assert canvas.bar_room().holds(Point(float(lit.min()), RECT.bottom - 11))
+    assert bar_room(RECT).holds(Point(float(lit.min()), RECT.bottom - 11))
 
 
 def test_letters_are_readable_on_every_body():

@@ -105,7 +105,7 @@ def test_rooms_fill_their_canvas_on_screens_of_all_shapes(size: Size) -> None:
         frame, canvas = lesson(id, size=size).view.frame, layout(size).canvas
         spare = (canvas.width - frame.width, canvas.height - frame.height)
         assert min(spare) == pytest.approx(0.0, abs=1e-6)
-        assert max(spare) <= 0.25 * lesson(id, size=size).view.scale + 1e-6
+        assert max(spare) <= 0.01 * lesson(id, size=size).view.scale + 1e-6
 
 
 @given(size=pictures)

@@ -7,6 +7,7 @@ from hand import LANDSCAPE, PORTRAIT, lesson, rect, tap, wait
 
 from screens.kit.events import Tap, Tilt
 from screens.kit.geometry import Size
+from screens.kit.scale import dp_size
 from screens.reactions import LETTERS
 
 ELASTIC = {"particle.restitution": 1.0}
@@ -176,10 +177,10 @@ def test_a_straight_way_leads_across_the_room_along_both_axes(size: Size) -> Non
         }
 
 
-def test_the_room_does_not_depend_on_the_size_of_the_picture() -> None:
+def test_the_room_does_not_depend_on_how_fine_the_picture_is() -> None:
     small, large = (
-        lesson("reactions", size=Size(360, 640)),
-        lesson("reactions", size=Size(420, 700)),
+        lesson("reactions", size=dp_size(360, 640)),
+        lesson("reactions", size=dp_size(2160, 3840)),
     )
     assert small.room == large.room
     for reactions in (small, large):

@@ -1,0 +1,174 @@
+"""What is seen of collisions between balls: the arrows of both impulses, and words beside them."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+from engine import Body, Collision, Particle, Vector, Wall
+from screens.kit import arrows, hits, theme
+from screens.kit.bodies import HEAD_ROOM, SHORTEST, beside, fitting
+from screens.kit.canvas import GAP_TO_BORDER, Canvas, bar_room
+from screens.kit.geometry import Point, Rect, Size
+from screens.kit.labels import Labels
+from screens.kit.view import View
+
+PER_IMPULSE, LONGEST = 32.0, 72.0
+"""Length of the arrow of an impulse (dp per N s), and how long it can get (dp)."""
+ARROWS, LABELS = 5, 3
+"""How many hits at once show their impulses, and how many say how great they are."""
+FAINTEST = 0.02
+"""The least impulse that gets words (N s)."""
+STRONGER = 1.5
+"""By so many times a hit must be stronger than one with words to take these over."""
+AHEAD = 0.15
+"""Words keep off the ways of the balls in this time (s)."""
+CHARACTER, PILL = 5.8, Size(20.0, 22.0)
+"""Room that words are given: for each character and around them (dp)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Mark:
+    """A collision that is still shown."""
+
+    hit: Collision
+    words: str = ""
+    place: Rect | None = None
+    """Where the words stand (dp), chosen once: they stay there while they fade."""
+
+
+def remember(
+    marks: Sequence[Mark],
+    news: Sequence[Collision],
+    now: float,
+    words: Callable[[Collision], str],
+    place: Callable[[Collision, str, Sequence[Mark]], Rect | None],
+) -> tuple[Mark, ...]:
+    """Those of `marks` and `news` that are still shown at `now` (s).
+
+    `words` says what is written beside a hit, and `place` where, given the other marks.
+    """
+    kept = [mark for mark in marks if hits.is_fresh(mark.hit, now)]
+    for hit in hits.fresh(news, now):
+        kept.append(Mark(hit))
+        size = hits.size(hit.impulse)
+        labelled = [i for i, mark in enumerate(kept) if mark.place]
+        if size < FAINTEST:
+            continue
+        if len(labelled) >= LABELS:
+            weakest = min(labelled, key=lambda i: hits.size(kept[i].hit.impulse))
+            if size < STRONGER * hits.size(kept[weakest].hit.impulse):
+                continue
+            kept[weakest] = replace(kept[weakest], place=None)
+        said = words(hit)
+        kept[-1] = Mark(hit, said, place(hit, said, kept))
+    return tuple(kept)
+
+
+def find_place(
+    view: View,
+    walls: Sequence[Wall],
+    balls: Sequence[Body],
+    marks: Sequence[Mark],
+    hit: Collision,
+    words: str,
+) -> Rect | None:
+    """Where words about a hit may stand, near it (dp): not over walls, balls, arrows, other words.
+
+    Nor over where the balls will be soon, if there is such a place.
+    """
+    size = Size(CHARACTER * len(words) + PILL.width, PILL.height)
+    for ahead in (AHEAD, 0.0):
+        labels = Labels(view.rect.inset(GAP_TO_BORDER))
+        labels.block(bar_room(view.rect))
+        for wall in walls:
+            ends = view.to_screen(wall.start), view.to_screen(wall.end)
+            labels.block_line(*ends, theme.WALL_WIDTH)
+        for ball in balls:
+            _block_ball(labels, view, ball, ahead)
+        for mark in marks:
+            if mark.place:
+                labels.block(mark.place)
+                _block_arrows(labels, view, mark.hit)
+        _block_arrows(labels, view, hit)
+        found = labels.place(size, view.to_screen(hit.point), gap=10)
+        if found:
+            return found
+    return None
+
+
+def _block_ball(labels: Labels, view: View, ball: Body, ahead: float) -> None:
+    """Keep words off a ball and its way within a time (s)."""
+    (x, y), (vx, vy) = ball.position, ball.velocity
+    here, radius = view.to_screen((x, y)), radius_of(ball) * view.scale
+    labels.block_circle(here, radius)
+    if ahead:
+        labels.block_line(here, view.to_screen((x + vx * ahead, y + vy * ahead)), 1.6 * radius)
+
+
+def _block_arrows(labels: Labels, view: View, hit: Collision) -> None:
+    """Keep words off the arrows of a hit; that of a push on a wall lies beside the ball."""
+    reach = hits.reach(hit.impulse, PER_IMPULSE, LONGEST)
+    for body, sign in ((hit.b, 1.0), (hit.a, -1.0)):
+        if not body.is_wall:
+            center, radius = view.to_screen(body.position), radius_of(body) * view.scale
+            long = sign * (1.0 + radius / hits.size(Vector(*reach)))
+            tip = Point(center.x + long * reach[0], center.y - long * reach[1])
+            is_at_wall = hit.a.is_wall or hit.b.is_wall
+            labels.block_line(center, tip, 2 * radius + 24.0 if is_at_wall else 14.0)
+
+
+def draw(canvas: Canvas, marks: Sequence[Mark], now: float) -> list[Rect]:
+    """Draw words and arrows, faded by age; returns the rectangles they lie in (dp).
+
+    Balls are to be drawn over them.
+    """
+    under = []
+    for mark in marks:
+        if mark.place:
+            size, middle = canvas.pill_size(mark.words), mark.place.center
+            rect = Rect(middle.x - size.width / 2, middle.y - size.height / 2, *size)
+            canvas.pill(mark.words, rect, theme.ORANGE, hits.fading(mark.hit, now))
+            under.append(rect)
+    for hit in _pointed(marks):
+        under += _draw_arrows(canvas, hit, hits.fading(hit, now))
+    return under
+
+
+def _pointed(marks: Sequence[Mark]) -> list[Collision]:
+    """The hits that have arrows: all that have words, and of the others the strongest."""
+    said = [mark.hit for mark in marks if mark.place]
+    silent = [mark.hit for mark in marks if not mark.place]
+    return hits.strongest(silent, ARROWS - len(said)) + said
+
+
+def _draw_arrows(canvas: Canvas, hit: Collision, faded: float) -> list[Rect]:
+    """What b received, with a solid head, and what a received, with a hollow one."""
+    x, y = hits.reach(hit.impulse, PER_IMPULSE, LONGEST)
+    ends = (
+        (hit.b, hit.a, (x, y), arrows.FORCE),
+        (hit.a, hit.b, (-x, -y), arrows.REACTION),
+    )
+    room = [
+        0.0 if body.is_wall else fitting(canvas, canvas.edge(body, reach), reach)
+        for body, _, reach, _ in ends
+    ]
+    # Both are shortened alike, so that they are seen to be equal.
+    part = min((free for free in room if free >= SHORTEST), default=1.0)
+    lain = []
+    for (body, other, (dx, dy), kind), free in zip(ends, room, strict=True):
+        reach, ball = (dx * part, dy * part), other if body.is_wall else body
+        if free >= SHORTEST:
+            start = Vector(*canvas.edge(body, reach))
+        else:
+            # It ends at the wall, beside the ball that gives or takes it.
+            start = beside(canvas, ball.position, reach, radius_of(ball))
+        tip = canvas.arrow(start, reach, kind, faded)
+        tail = canvas.view.to_screen(start)
+        left, top = min(tail.x, tip.x), min(tail.y, tip.y)
+        box = Rect(left, top, abs(tip.x - tail.x), abs(tip.y - tail.y))
+        lain.append(box.inset(-HEAD_ROOM - theme.ARROW_WIDTH))
+    return lain
+
+
+def radius_of(ball: Body) -> float:
+    """Of a ball (m)."""
+    return ball.shape.radius if isinstance(ball.shape, Particle) else 0.0
