@@ -55,12 +55,14 @@ class _Files:
         self.folders = folders
         self.chain: list[_Open] = []
         self.known: dict[str, tuple[Step, ...] | Refused] = {}
+        self.noted: list[Mistake] = []
+        """What does not keep a file from being read to its end."""
 
     def scenario(self, path: str, overrides: Overrides) -> Scenario:
         """The file that the person named."""
         values: dict[str, Any] = {}
         mistakes: list[Mistake] = []
-        root = _tree(path, Place(path))
+        root = self.tree(path, Place(path))
         try:
             values |= self.values(root, path)
         except Refused as refused:
@@ -72,12 +74,19 @@ class _Files:
         if not mistakes:
             values["set"] = values["set"] | values.pop("more settings", {})
             mistakes.extend(_excess(values, self.folders))
+        mistakes.extend(self.noted)
         if mistakes:
             raise Refused(*mistakes)
         values["fps"] = int(values["fps"])
         values["outputs"] = tuple(output for _, output in values.pop("output"))
         values["settings"] = values.pop("set")
         return Scenario(path=path, **values)
+
+    def tree(self, path: str, named: Place) -> Node:
+        """The tree of a file; if it cannot be read, the mistake is where it is named."""
+        root, noted = read(_content(path, named), path)
+        self.noted.extend(noted)
+        return root
 
     def values(self, root: Node, path: str) -> dict[str, Any]:
         """The values of a file's keys."""
@@ -117,7 +126,7 @@ class _Files:
 
     def included(self, shown: str, place: Place, screen: str) -> tuple[Step, ...]:
         """The steps of a file that is read for the first time."""
-        values = self.values(_tree(shown, place), shown)
+        values = self.values(self.tree(shown, place), shown)
         if values["screen"] != screen:
             raise refuse(
                 place,
@@ -153,11 +162,11 @@ class _Open:
     screen: str
 
 
-def _tree(path: str, named: Place) -> Node:
-    """The tree of a file; if it cannot be read, the mistake is where it is named."""
+def _content(path: str, named: Place) -> bytes:
+    """The bytes of a file, at most one more than allowed."""
     try:
         with open(path, "rb") as file:
-            content = file.read(LARGEST + 1)
+            return file.read(LARGEST + 1)
     except FileNotFoundError:
         raise refuse(named, "no-file", f"there is no file {quote(path)}") from None
     except OSError as error:
@@ -165,7 +174,6 @@ def _tree(path: str, named: Place) -> Node:
         raise refuse(named, "no-file", f"cannot read {quote(path)}: {reason}") from None
     except ValueError:
         raise refuse(named, "no-file", f"{quote(path)} cannot be the name of a file") from None
-    return read(content, path)
 
 
 def _names(root: Node) -> Names:

@@ -2,6 +2,7 @@
 
 import re
 from bisect import bisect_right
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 from ruamel.yaml import YAML
@@ -36,11 +37,12 @@ _NO_CHARACTER = re.compile(r"\\U(?!000|0010)[0-9A-Fa-f]{8}")
 _TAB = re.compile(r"^ *\t[ \t]*(?=[^ \t\r\n])", re.MULTILINE)
 
 
-def read(content: bytes, path: str) -> Node:
-    """The tree of a file's bytes; `path` is how mistakes name the file.
+def read(content: bytes, path: str) -> tuple[Node, Sequence[Mistake]]:
+    """The tree of a file's bytes, and keys that were given twice; `path` names it in mistakes.
 
+    Of a key that was given twice the tree holds the first value, so that the rest can be examined.
     Raises Refused with all that can be told: too large, not UTF-8, tabs, anchors, aliases, tags,
-    duplicate keys, too deep, not YAML, empty.
+    too deep, not YAML, empty.
     """
     if len(content) > LARGEST:
         raise refuse(
@@ -50,7 +52,8 @@ def read(content: bytes, path: str) -> Node:
         )
     text = _Text(_decode(content, path), path)
     text.refuse_odd_parts()
-    return _Builder(text).document()
+    builder = _Builder(text)
+    return builder.document(), builder.mistakes
 
 
 def _decode(content: bytes, path: str) -> str:
@@ -144,7 +147,7 @@ class _Builder:
             raise Refused(*self.mistakes, self.syntax(error)) from None
         except ValueError:
             raise Refused(*self.mistakes, self.text.no_such_character()) from None
-        if self.mistakes:
+        if any(mistake.code != "duplicate-key" for mistake in self.mistakes):
             raise Refused(*self.mistakes)
         root = self.documents[0] if self.documents else None
         if root is None or (isinstance(root, ScalarNode) and root.is_nothing):
@@ -242,7 +245,7 @@ class _Builder:
 
     def syntax(self, error: MarkedYAMLError) -> Mistake:
         mark = error.problem_mark or error.context_mark
-        if error.context_mark and "could not find expected ':'" in str(error.problem):
+        if error.context_mark and _AT_THE_START.search(str(error.problem)):
             mark = error.context_mark
         place = self.text.place(mark.line, mark.column) if mark else self.text.place(0, 0)
         if place.source[place.column - 1 :].startswith("\t"):
@@ -266,6 +269,9 @@ class _Open:
 
 
 _WORD = re.compile(r"\S+")
+
+_AT_THE_START = re.compile("could not find expected ':'|unexpected end of stream")
+"""Problems that are found far behind the place where they can be mended."""
 
 _SYNTAX = (
     (
