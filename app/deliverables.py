@@ -10,7 +10,7 @@ from types import TracebackType
 from app.frames import Film, Pixels, Sink
 from app.json_text import document
 from app.outputs import OutputError, Promise, explained, kind_of, open_sink
-from app.outputs.background import Background
+from app.outputs.background import DEPTH, Background
 from app.outputs.png import png_bytes
 from app.outputs.promise import check_place
 from app.player import Check
@@ -18,6 +18,9 @@ from app.report import Output, Report
 from app.watcher import Watcher
 
 REPORT = "json"
+WAITING = 64 * 2**20
+"""Bytes of pictures that may wait for one encoder: fewer large ones than small ones."""
+
 DATA = ("csv", REPORT)
 """Kinds that hold no pictures."""
 
@@ -35,6 +38,7 @@ class Deliverables:
         `pictures` are the paths of screenshots that will be taken.
         """
         self._film = film
+        self._depth = max(1, min(DEPTH, WAITING // (4 * film.width * film.height)))
         self._sinks: dict[str, Sink] = {}
         self._reports: dict[str, Promise] = {}
         self._pictures: dict[str, Promise] = {}
@@ -84,7 +88,8 @@ class Deliverables:
         outputs = []
         for path, promise in self._pictures.items():
             promise.keep()
-            outputs.append(Output(path, "png", os.path.getsize(path), _hash(Path(path))))
+            shot = Path(os.path.realpath(path))
+            outputs.append(Output(path, "png", shot.stat().st_size, _hash(shot)))
             watcher.wrote(outputs[-1])
         for path in tuple(self._sinks):
             watcher.finishing(path)
@@ -107,7 +112,7 @@ class Deliverables:
             self._reports[path] = Promise(path)
         else:
             sink = open_sink(path, self._film)
-            self._sinks[path] = sink if kind_of(path) in DATA else Background(sink)
+            self._sinks[path] = sink if kind_of(path) in DATA else Background(sink, self._depth)
 
     def _put_away(self) -> None:
         for sink in self._sinks.values():
@@ -119,7 +124,9 @@ class Deliverables:
 def described(path: str, frames: int, fps: int) -> Output:
     """What an output turned out to be, read back from where it stands."""
     kind = kind_of(path) or ""
-    files = sorted(Path(path).iterdir()) if os.path.isdir(path) else [Path(path)]
+    # As when it was promised: "new/../film.gif" is a place though there is no folder "new".
+    target = Path(os.path.realpath(path))
+    files = sorted(target.iterdir()) if target.is_dir() else [target]
     hashes = [_hash(file) for file in files]
     lines = "".join(f"{f.name} {h}\n" for f, h in zip(files, hashes, strict=True))
     folder = hashlib.sha256(lines.encode()).hexdigest()
@@ -127,7 +134,7 @@ def described(path: str, frames: int, fps: int) -> Output:
         path=path,
         kind=kind,
         size=sum(file.stat().st_size for file in files),
-        sha256=folder if os.path.isdir(path) else hashes[0],
+        sha256=folder if target.is_dir() else hashes[0],
         frames=None if kind in DATA else frames,
         fps=fps,
     )

@@ -179,3 +179,9 @@ def test_a_failed_until_leaves_no_screenshot_either(push, tmp_path):
     assert "error[until-failed]" in err
     assert files(tmp_path) == ["old.png", "push.yaml"]
     assert (tmp_path / "old.png").read_bytes() == b"the old one"
+
+
+def test_a_path_through_a_folder_that_is_not_there_is_simplified(push, tmp_path):
+    code, out, err = laws("render", push, "-o", "new/../a.csv", folder=tmp_path)
+    assert (code, out, err) == (0, "new/../a.csv\n", "")
+    assert files(tmp_path) == ["a.csv", "push.yaml"]

@@ -20,7 +20,8 @@ from conftest import FPS, HEIGHT, WIDTH, picture
 from app.frames import Film, Frame
 from app.outputs import open_sink
 for name in {NAMES!r}:
-    sink = open_sink(sys.argv[1] + "/" + name, Film(WIDTH, HEIGHT, FPS, "A disc", "A disc moves to the right."))
+    film = Film(WIDTH, HEIGHT, FPS, "A disc", "A disc moves to the right.")
+    sink = open_sink(sys.argv[1] + "/" + name, film)
     for number in range(40):
         sink.frame(Frame(number, picture(number - (number % 4 == 3))))
     sink.close()
