@@ -56,6 +56,8 @@ def prepare(t: Tables, pair: int, half: float) -> None:
     t.pairs.normal_x[pair] = t.touch.normal_x[0]
     t.pairs.normal_y[pair] = t.touch.normal_y[0]
     share = 2.0 * half / t.pairs.part[pair] if t.pairs.part[pair] > 0.0 else 0.0
+    if share > 1.0:  # what stopped a motion in a short part is no load that lasts
+        share = 1.0
     t.pairs.give[pair] = softness_left(t, pair, 2.0 * half)
     t.pairs.part[pair] = 2.0 * half
     for i in range(points):
@@ -143,8 +145,11 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
             bodies.path_spin[row] = (bodies.kick_spin[row] - bodies.spin[row]) / part
 
 
-def relax(t: Tables, resting: int, count: int, part: float) -> None:
-    """Take back, at the end of a part (s), the velocity that correcting overlaps has lent."""
+def relax(t: Tables, resting: int, count: int, part: float, done: float) -> None:
+    """Take back, at the end of a part (s), the velocity that correcting overlaps has lent.
+
+    `done` is the share of the part after which it was cut short, 1 if it was not.
+    """
     bodies = t.bodies
     for row in range(count):
         if bodies.held[row] > 0:
@@ -152,7 +157,7 @@ def relax(t: Tables, resting: int, count: int, part: float) -> None:
             bodies.kick_y[row] = bodies.vy[row]
             bodies.kick_spin[row] = bodies.spin[row]
     for k in range(resting):
-        turn_by_shift(t, t.pairs.resting[k])
+        turn_by_shift(t, t.pairs.resting[k], done)
     sweeps = 1
     for k in range(resting):
         pair = t.pairs.resting[k]
@@ -187,10 +192,40 @@ def share_of_a(t: Tables, pair: int) -> float:
     return 0.5
 
 
-def turn_by_shift(t: Tables, pair: int) -> None:
-    """Correct the torque of a contact whose bodies were struck while it acted.
+def shift_paths(t: Tables, count: int, first: int, now: float, part: float, reached: float) -> None:
+    """Find how far the mean positions of held bodies are from the middle of their planned paths.
 
-    Its impulse acts all through the part; the lever arms were those of undisturbed paths. What an
+    Args:
+        t: the tables; bodies stand at the end of the part.
+        count: number of bodies.
+        first: first row in `Impacts` of this part.
+        now: when the part began, since the tick began (s).
+        part: its planned length (s).
+        reached: after which it ended (s).
+    """
+    bodies = t.bodies
+    impacts = t.impacts
+    early = (reached - part) / 2.0
+    for row in range(count):
+        if bodies.held[row] > 0:
+            bodies.shift_x[row] = (bodies.kick_x[row] - bodies.path_x[row] * part) * early
+            bodies.shift_y[row] = (bodies.kick_y[row] - bodies.path_y[row] * part) * early
+    for i in range(first, impacts.written[0]):
+        left = reached - (impacts.time[i] - now)
+        if left > 0.0:
+            weight = left * left / (2.0 * reached)
+            a = impacts.a[i]
+            b = impacts.b[i]
+            bodies.shift_x[a] -= impacts.impulse_x[i] * bodies.inverse_mass[a] * weight
+            bodies.shift_y[a] -= impacts.impulse_y[i] * bodies.inverse_mass[a] * weight
+            bodies.shift_x[b] += impacts.impulse_x[i] * bodies.inverse_mass[b] * weight
+            bodies.shift_y[b] += impacts.impulse_y[i] * bodies.inverse_mass[b] * weight
+
+
+def turn_by_shift(t: Tables, pair: int, done: float) -> None:
+    """Correct the torque of a contact whose bodies did not go their planned paths.
+
+    Its impulse acts all through the part; the lever arms were those of the planned paths. What an
     impact adds to the mean positions adds to the arms, or angular momentum would not be kept.
     """
     bodies = t.bodies
@@ -207,7 +242,7 @@ def turn_by_shift(t: Tables, pair: int) -> None:
     for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
         jx = contacts.normal_impulse[row] * nx - contacts.tangent_impulse[row] * ny
         jy = contacts.normal_impulse[row] * ny + contacts.tangent_impulse[row] * nx
-        turn = x * jy - y * jx
+        turn = (x * jy - y * jx) * done
         bodies.kick_spin[a] -= of_a * turn * bodies.inverse_inertia[a]
         bodies.kick_spin[b] -= (1.0 - of_a) * turn * bodies.inverse_inertia[b]
 
@@ -387,8 +422,6 @@ def place_middle(t: Tables, count: int, half: float) -> None:
             bodies.path_x[row] = 0.0
             bodies.path_y[row] = 0.0
             bodies.path_spin[row] = 0.0
-            bodies.shift_x[row] = 0.0
-            bodies.shift_y[row] = 0.0
             place(bodies, t.corners, row, half)
             bodies.middle_x[row] = bodies.here_x[row]
             bodies.middle_y[row] = bodies.here_y[row]

@@ -23,7 +23,6 @@ def strike(
     pair: int,
     now: float,
     time: float,
-    part: float,
     shortest: float,
     early: float,
     plastic: bool,
@@ -35,7 +34,6 @@ def strike(
         pair: which pair.
         now: when the part began, since the tick began (s).
         time: of the impact, since the part began (s).
-        part: length of the part (s).
         shortest: a flight shorter than this (s) is none: the bodies stay together.
         early: points that would touch within this time (s) are struck as well.
         plastic: whether to take restitution as zero, as the end of endless bouncing.
@@ -55,25 +53,10 @@ def strike(
     again = now + time - t.pairs.struck[pair] < shortest * AGAIN
     rests = plastic or stays(t, pair, restitution * speed, shortest, again)
     bounce = 1.0 if rests else 1.0 + restitution
-    shift(bodies, a, time, part, -1.0)
-    shift(bodies, b, time, part, -1.0)
     exchange(t, pair, one, other, bounce, now + time)
-    shift(bodies, a, time, part, 1.0)
-    shift(bodies, b, time, part, 1.0)
     t.pairs.struck[pair] = now + time
     t.pairs.state[pair] = RESTING if rests else FREE
     return rests
-
-
-def shift(bodies: Bodies, row: int, time: float, part: float, sign: float) -> None:
-    """Note how a change of velocity at `time` moves the mean position over the part.
-
-    Called before (sign -1) and after (1) the impact; see `contacts.turn_by_shift`.
-    """
-    if bodies.held[row] > 0:
-        weight = sign * (part - time) * (part - time) / (2.0 * part)
-        bodies.shift_x[row] += bodies.vx[row] * weight
-        bodies.shift_y[row] += bodies.vy[row] * weight
 
 
 def choose_points(t: Tables, pair: int, points: int, early: float) -> tuple[int, int, float]:

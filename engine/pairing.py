@@ -54,6 +54,8 @@ def pair_up(
     reach, free = np.asarray(t.bodies.reach), np.asarray(t.bodies.inverse_mass) > 0.0
     wide = np.where(free, reach, np.inf)
     np.asarray(pairs.size)[:found] = np.minimum(wide[a], wide[b])
+    if len(t.impacts.a) < 2 * found:
+        t = t._replace(impacts=views(grow(t.impacts, 4 * found)))
     t = t._replace(pairs=views(pairs), contacts=views(contacts), links=links(t, a, b, count))
     mix(t, found, *rules)
     return t, found

@@ -113,7 +113,7 @@ def hold(t: Tables, count: int, resting: int, now: float, part: float, shortest:
                     continue
                 room = t.impacts.written[0] < len(t.impacts.a)
                 if room and not again and slaps(t, pair, part, explained):
-                    strike(t, pair, now, 0.0, part, shortest, part, False)
+                    strike(t, pair, now, 0.0, shortest, part, False)
                     struck = True
                 t.pairs.resting[kept] = pair
                 kept += 1

@@ -112,7 +112,7 @@ class Bodies(NamedTuple):
     """Position in the middle of the present part (m)."""
     middle_y: Floats
     shift_x: Floats
-    """By which impacts moved the mean position over the present part, if the body is held (m)."""
+    """Mean position over the present part, less that for which contacts were solved (m)."""
     shift_y: Floats
     here_x: Floats
     """Position for which the body was last placed (m)."""

@@ -5,7 +5,7 @@ early when two bodies come to rest on each other, or when a body leaves the box 
 of pairs holds.
 """
 
-from engine.contacts import relax
+from engine.contacts import relax, shift_paths
 from engine.impacts import strike
 from engine.meeting import approach_at, find_meeting
 from engine.pose import advance
@@ -85,14 +85,16 @@ def travel(
             bodies.path_y[row] = bodies.ay[row]
             bodies.path_spin[row] = bodies.aspin[row]
         held = hold(t, count, resting, now, part, substep) if resting > 0 else 0
+        first = t.impacts.written[0]
         status, reached = meet_all(t, pair_count, held, now, part, dt, substep, limit)
         for row in range(count):
             advance(bodies, row, reached)
             bodies.clock[row] = 0.0
         if held > 0:
-            relax(t, held, count, part)
+            shift_paths(t, count, first, now, part, reached)
+            relax(t, held, count, part, reached / part)
         now = dt if reached >= part and part == dt - now else now + reached
-        if status != DONE:
+        if status != DONE and now < dt:
             return status, now
     settled = 0
     for pair in range(pair_count):
@@ -119,6 +121,7 @@ def meet_all(
     queued = 0
     reached = 0.0
     escaped = False
+    cut = False
     for pair in range(pair_count):
         pairs.queued[pair] = 0
         find_meeting(t, pair, 0.0, part)
@@ -127,7 +130,7 @@ def meet_all(
         at = earliest(t, queued)
         pair = pairs.queue[at]
         time = pairs.meeting[pair]
-        if escaped and time > reached + TOGETHER:
+        if cut and time > reached + TOGETHER:
             return ESCAPED, reached
         reached = time
         if written[0] >= len(t.impacts.a):
@@ -137,7 +140,7 @@ def meet_all(
         pairs.queued[pair] = 0
         pairs.meeting[pair] = NEVER
         if written[1] < 2 * limit:
-            rests = strike(t, pair, now, time, part, substep, 0.0, written[1] >= limit)
+            rests = strike(t, pair, now, time, substep, 0.0, written[1] >= limit)
         else:
             rests = True
             pairs.state[pair] = RESTING
@@ -147,10 +150,16 @@ def meet_all(
         a = pairs.a[pair]
         b = pairs.b[pair]
         left = dt - now - time
-        escaped = escaped or has_escaped(t, a, left) or has_escaped(t, b, left)
+        if has_escaped(t, a, left) or has_escaped(t, b, left):
+            escaped = True
+            left = part - time
+            # Contacts act for a whole part; cut it only if a body might leave its box within it.
+            cut = cut or held == 0 or has_escaped(t, a, left) or has_escaped(t, b, left)
         queued = look_again(t, a, time, part, queued, written[1] < 2 * limit)
         queued = look_again(t, b, time, part, queued, written[1] < 2 * limit)
-    return (ESCAPED, reached) if escaped else (DONE, part)
+    if cut:
+        return ESCAPED, reached
+    return (ESCAPED if escaped else DONE), part
 
 
 def enqueue(t: Tables, pair: int, queued: int) -> int:
