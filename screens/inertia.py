@@ -273,7 +273,7 @@ class Inertia:
 def _readouts(area: Layout) -> list[Rect]:
     """Places of force, speed, momentum and time."""
     if area.portrait:
-        return page.shares(area.readouts, (80.0, 96.0, 104.0, 48.0))
+        return page.shares(area.readouts, (70.0, 94.0, 114.0, 50.0))
     upper, lower = rows(area.readouts, 2)
     force, speed = page.shares(upper, (72.0, 104.0))
     time, momentum = page.shares(lower, (72.0, 104.0))

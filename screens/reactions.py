@@ -201,7 +201,7 @@ class Reactions:
     ) -> None:
         """A ball, and nothing shows through it of what lies in the rectangles `under` (dp)."""
         x, y = canvas.view.to_screen(ball.position)
-        radius = self.radius(ball.mass) * canvas.view.scale
+        radius = impulses.radius_of(ball) * canvas.view.scale
         for left, top, width, height in under:
             if (
                 left - radius < x < left + width + radius

@@ -1,6 +1,7 @@
 """What the lessons have in common about bodies: the walls around them, and how solid they look."""
 
 import math
+from functools import lru_cache
 
 from engine import Body, Circle, Particle, Polygon, Vector, Wall, World
 from screens.kit import theme
@@ -32,6 +33,7 @@ def enclose(world: World, room: Room, friction: float = 0.0) -> None:
         world.add(wall, friction=friction, name=f"wall.{side}")
 
 
+@lru_cache(maxsize=64)
 def opacity(mass: float, light: float, heavy: float) -> float:
     """How solid a body looks: 0.3 for the lightest to 0.95 for the heaviest, even per doubling."""
     part = math.log(mass / light) / math.log(heavy / light)

@@ -85,15 +85,20 @@ class Picture:
             if not self.restamp("scrim", (0, 0, 0), alpha, 0, top):
                 self.stamp("scrim", strip, (0, 0, 0), alpha, 0, top)
 
-    def paint(self, shape: Shape, look: Look, color: Color, alpha: float) -> None:
-        """Paint a shape given in pixels; one that lies outside costs nothing."""
+    def paint(
+        self, shape: Shape, look: Look, color: Color, alpha: float, fleeting: bool = False
+    ) -> None:
+        """Paint a shape given in pixels; one that lies outside costs nothing.
+
+        A `fleeting` one, which will hardly be met again, takes no room from what is kept.
+        """
         box = bounding_box(shape)
         if box is None or alpha <= 0:
             return
         seen = box.meet(self._clip)
         if not seen.area:
             return
-        if box.area > self.width * self.height:
+        if fleeting or box.area > self.width * self.height:
             sprite = _sprite(cover(shape, look, seen), color, _level(alpha))
             self._changed(self._surface.blit(sprite, (seen.left, seen.top)))
             return

@@ -166,7 +166,8 @@ class Surface:
         start, end = self._point(tail), self._point(tip)
         if arrows.shape(start, end, width * self.scale) is not None:
             shape = ArrowShape(start, end, width * self.scale, head == "hollow")
-            self._picture.paint(shape, FILLED, color, alpha)
+            # What fades moves, too, as a rule.
+            self._picture.paint(shape, FILLED, color, alpha, fleeting=alpha < 1)
 
     # -- words --------------------------------------------------------------------------------
 

@@ -1,6 +1,8 @@
 """Rooms in metres, and where they lie on the screen."""
 
 import math
+from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 from engine import Vector
@@ -46,13 +48,14 @@ def room_of(screen: Size, canvas: Rect) -> Room:
     return Room(-half_width, -half_height, half_width, half_height)
 
 
-class View(NamedTuple):
+@dataclass(frozen=True)
+class View:
     """A room seen through a rectangle of the screen: as large as fits, in the middle."""
 
     rect: Rect
     room: Room
 
-    @property
+    @cached_property
     def scale(self) -> float:
         """How long a metre is (dp)."""
         return min(self.rect.width / self.room.width, self.rect.height / self.room.height)
@@ -64,18 +67,20 @@ class View(NamedTuple):
         middle = self.rect.center
         return Rect(middle.x - width / 2, middle.y - height / 2, width, height)
 
+    @cached_property
+    def _middles(self) -> tuple[float, float, float, float]:
+        """The middle of the rectangle (x, y, dp) and that of the room (x, y, m)."""
+        room = self.room
+        return *self.rect.center, (room.left + room.right) / 2, (room.bottom + room.top) / 2
+
     def to_screen(self, at: tuple[float, float]) -> Point:
         """Where a place of the world (m) is on the screen (dp)."""
-        middle, scale, room = self.rect.center, self.scale, self.room
-        return Point(
-            middle.x + (at[0] - (room.left + room.right) / 2) * scale,
-            middle.y - (at[1] - (room.bottom + room.top) / 2) * scale,
-        )
+        x, y, room_x, room_y = self._middles
+        scale = self.scale
+        return Point(x + (at[0] - room_x) * scale, y - (at[1] - room_y) * scale)
 
     def to_world(self, at: Point) -> Vector:
         """Which place of the world (m) is seen at a point of the screen (dp)."""
-        middle, scale, room = self.rect.center, self.scale, self.room
-        return Vector(
-            (room.left + room.right) / 2 + (at.x - middle.x) / scale,
-            (room.bottom + room.top) / 2 - (at.y - middle.y) / scale,
-        )
+        x, y, room_x, room_y = self._middles
+        scale = self.scale
+        return Vector(room_x + (at.x - x) / scale, room_y - (at.y - y) / scale)
