@@ -173,7 +173,9 @@ class Reactions:
         canvas.background()
         for wall in self.inner:
             canvas.wall(wall)
-        page.heading(surface, _readouts(area)[1], words("reactions.collisions"))
+        tilted, count, _ = _readouts(area)
+        gauge.draw_ground(surface, tilted)
+        page.heading(surface, count, words("reactions.collisions"))
         buttons = {widget.id: widget for widget in self.widgets()}
         for id in ("ball.lighter", "ball.heavier", "clear"):
             page.outlined_button(surface, buttons[id])

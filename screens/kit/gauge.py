@@ -24,14 +24,20 @@ TILT = theme.Style(12, theme.MEDIUM, 16)
 """How the angles are set."""
 
 
-def draw(surface: "Surface", place: Rect, tilt: Tilt, force: Vector, words: Words) -> None:
-    """A point that rolls to where the tilt pushes; beside it the angles and the force (N)."""
+def draw_ground(surface: "Surface", place: Rect) -> None:
+    """The rim and the axes, which stay as they are."""
     radius = HEIGHT / 2
     center = Point(place.x + radius, place.y + radius)
     surface.circle(center, radius, None, outline=theme.OUTLINE, outline_width=1)
     for x, y in ((radius, 0.0), (0.0, radius)):
         ends = Point(center.x - x, center.y - y), Point(center.x + x, center.y + y)
         surface.line(*ends, 1, theme.HAIRLINE)
+
+
+def draw(surface: "Surface", place: Rect, tilt: Tilt, force: Vector, words: Words) -> None:
+    """A point that rolls to where the tilt pushes; beside it the angles and the force (N)."""
+    radius = HEIGHT / 2
+    center = Point(place.x + radius, place.y + radius)
     x, y = tilt.roll / FULL, tilt.pitch / FULL
     reach = (radius - POINT - 1) / max(1.0, math.sqrt(x * x + y * y))
     surface.circle((center.x + x * reach, center.y + y * reach), POINT, theme.PURPLE)

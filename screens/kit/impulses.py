@@ -47,19 +47,26 @@ def remember(
     `words` says what is written beside a hit, and `place` where, given the other marks.
     """
     kept = [mark for mark in marks if hits.is_fresh(mark.hit, now)]
-    for hit in hits.fresh(news, now):
-        kept.append(Mark(hit))
-        size = hits.size(hit.impulse)
+    news = hits.fresh(news, now)
+    kept += [Mark(hit) for hit in news]
+    for hit in hits.strongest(news, LABELS):
         labelled = [i for i, mark in enumerate(kept) if mark.place]
+        size = hits.size(hit.impulse)
         if size < FAINTEST:
             continue
+        others = kept
         if len(labelled) >= LABELS:
             weakest = min(labelled, key=lambda i: hits.size(kept[i].hit.impulse))
             if size < STRONGER * hits.size(kept[weakest].hit.impulse):
                 continue
-            kept[weakest] = replace(kept[weakest], place=None)
+            others = [*kept]
+            others[weakest] = replace(kept[weakest], place=None)
         said = words(hit)
-        kept[-1] = Mark(hit, said, place(hit, said, kept))
+        found = place(hit, said, others)
+        if found is None:
+            break  # Where one finds no room, the next will hardly find any.
+        kept = others
+        kept[len(kept) - len(news) + news.index(hit)] = Mark(hit, said, found)
     return tuple(kept)
 
 
@@ -73,10 +80,11 @@ def find_place(
 ) -> Rect | None:
     """Where words about a hit may stand, near it (dp): not over walls, balls, arrows, other words.
 
-    Nor over where the balls will be soon, if there is such a place.
+    Nor over where the balls will be soon, if there is such a place; in a crowd the arrows of other
+    hits may cross them.
     """
     size = Size(CHARACTER * len(words) + PILL.width, PILL.height)
-    for ahead in (AHEAD, 0.0):
+    for ahead, others in ((AHEAD, marks), (0.0, marks), (0.0, ())):
         labels = Labels(view.rect.inset(GAP_TO_BORDER))
         labels.block(bar_room(view.rect))
         for wall in walls:
@@ -87,7 +95,9 @@ def find_place(
         for mark in marks:
             if mark.place:
                 labels.block(mark.place)
-                _block_arrows(labels, view, mark.hit)
+        for other in others:
+            if other.place:
+                _block_arrows(labels, view, other.hit)
         _block_arrows(labels, view, hit)
         found = labels.place(size, view.to_screen(hit.point), gap=10)
         if found:
@@ -105,15 +115,15 @@ def _block_ball(labels: Labels, view: View, ball: Body, ahead: float) -> None:
 
 
 def _block_arrows(labels: Labels, view: View, hit: Collision) -> None:
-    """Keep words off the arrows of a hit; that of a push on a wall lies beside the ball."""
+    """Keep words off the arrows of a hit; those that end at a wall lie beside the ball."""
     reach = hits.reach(hit.impulse, PER_IMPULSE, LONGEST)
     for body, sign in ((hit.b, 1.0), (hit.a, -1.0)):
         if not body.is_wall:
             center, radius = view.to_screen(body.position), radius_of(body) * view.scale
             long = sign * (1.0 + radius / hits.size(Vector(*reach)))
             tip = Point(center.x + long * reach[0], center.y - long * reach[1])
-            is_at_wall = hit.a.is_wall or hit.b.is_wall
-            labels.block_line(center, tip, 2 * radius + 24.0 if is_at_wall else 14.0)
+            is_beside = hit.a.is_wall or hit.b.is_wall or not view.rect.holds(tip)
+            labels.block_line(center, tip, 2 * radius + 28.0 if is_beside else 14.0)
 
 
 def draw(canvas: Canvas, marks: Sequence[Mark], now: float) -> list[Rect]:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from screens.kit.geometry import Point, Rect, Size
 
-RINGS = (0.0, 8.0, 18.0, 32.0, 50.0, 74.0)
+RINGS = (0.0, 8.0, 18.0, 32.0, 50.0, 74.0, 102.0, 134.0)
 """How far labels may move away from their anchor, nearest first."""
 TURNS = tuple(math.pi * turn / 12 for turn in (6, 4, 8, 2, 10, 0, 12, 14, 22, 16, 20, 18))
 """Directions that are tried on each ring: upwards first, straight down last (rad)."""

@@ -148,6 +148,8 @@ class Picture:
 
     def _changed(self, place: pygame.Rect) -> None:
         if self._ground is not None:
+            if self._changes and self._changes[-1].contains(place):
+                return
             self._changes.append(place)
             if len(self._changes) > CHANGES:
                 self._ground, self._changes = None, []
