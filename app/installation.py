@@ -13,6 +13,11 @@ def installed(distribution: str) -> str | None:
         return None
 
 
+def own_version() -> str:
+    """The version of this program; "not installed" if it runs from its sources."""
+    return installed(DISTRIBUTION) or "not installed"
+
+
 def pygame_trouble() -> str | None:
     """What is wrong with pygame, and the command that mends it; None if it is in order."""
     if installed("pygame") is not None:

@@ -7,11 +7,11 @@ import math
 from array import array
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from importlib.metadata import version
 from pathlib import PurePath
 from typing import Any
 
 from app.frames import Moment
+from app.installation import own_version
 from app.player import Check
 from app.scenario.model import Caption, Expect, Marker, Scenario, Screenshot
 from app.session import Cue
@@ -19,8 +19,6 @@ from engine import Collision
 
 FORMAT = 1
 """Version of the report's own format."""
-
-DISTRIBUTION = "laws-of-motion"
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,7 +146,7 @@ class Report:
             "alt": scenario.alt,
             "screen": scenario.screen,
             "versions": {
-                "laws": version(DISTRIBUTION),
+                "laws": own_version(),
                 "report": FORMAT,
                 "scenario": scenario.laws,
             },

@@ -41,11 +41,11 @@ def doctor() -> None:
 def _python() -> Iterator[Finding]:
     import platform
 
-    from app.installation import DISTRIBUTION, installed
+    from app.installation import DISTRIBUTION, own_version
 
     state = "ok" if sys.version_info >= (3, 11) else "bad"
     yield Finding(state, f"Python {platform.python_version()} on {platform.system()}, 3.11 needed")
-    yield Finding("ok", f"{DISTRIBUTION} {installed(DISTRIBUTION)} in {Path(__file__).parents[2]}")
+    yield Finding("ok", f"{DISTRIBUTION} {own_version()} in {Path(__file__).parents[2]}")
 
 
 def _packages() -> Iterator[Finding]:

@@ -33,9 +33,9 @@ laws.command("doctor", short_help="Is everything installed, and what if not?")(d
 def _show_version(wanted: bool) -> None:
     if wanted:
         from app.cli import streams
-        from app.installation import DISTRIBUTION, installed
+        from app.installation import own_version
 
-        streams.result(f"laws {installed(DISTRIBUTION)}")
+        streams.result(f"laws {own_version()}")
         raise typer.Exit
 
 
