@@ -19,7 +19,7 @@ def demo(
     output: Annotated[
         str, typer.Option("-o", "--output", metavar="FOLDER", help="Where the files go.")
     ] = "out",
-    quiet: Annotated[bool, typer.Option("-q", "--quiet", help="Show mistakes only.")] = False,
+    quiet: Annotated[bool, typer.Option("-q", "--quiet", help="No progress bar.")] = False,
     debug: Annotated[bool, typer.Option("--debug", help="Show tracebacks.")] = False,
 ) -> None:
     """Make three films that teach Newton's three laws, and the numbers behind them.

@@ -28,7 +28,7 @@ def render(
     json: Annotated[
         bool, typer.Option("--json", help="Tell what happens as JSON lines on stdout.")
     ] = False,
-    quiet: Annotated[bool, typer.Option("-q", "--quiet", help="Show mistakes only.")] = False,
+    quiet: Annotated[bool, typer.Option("-q", "--quiet", help="No progress bar.")] = False,
     debug: Annotated[bool, typer.Option("--debug", help="Show tracebacks.")] = False,
 ) -> None:
     """Make the films, pictures and data that scenario files ask for.
