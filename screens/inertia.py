@@ -198,10 +198,8 @@ class Inertia:
         labels: list[tuple[str, Point, Point, theme.Color, float]] = []
         for shown, vector, per_unit, kind, faded in vectors:
             reach = hits.reach(vector, per_unit, LONGEST)
-            start, part = leaving(canvas, self.body, reach, RADIUS)
-            if kind is arrows.VELOCITY:
-                aside, scale = self._aside(vector), canvas.view.scale
-                start = Vector(start.x + aside.x / scale, start.y + aside.y / scale)
+            aside = self._aside(vector) if kind is arrows.VELOCITY else 0.0
+            start, part = leaving(canvas, self.body, reach, RADIUS, aside)
             tip = canvas.arrow(start, (reach[0] * part, reach[1] * part), kind, faded)
             labels.append((shown, tip, Point(reach[0], -reach[1]), kind.color, faded))
         for shown, tip, ahead, color, faded in labels:
@@ -259,15 +257,13 @@ class Inertia:
         right, bottom = max(at.x for at in corners), max(at.y for at in corners)
         return seen(Rect(left, top, right - left, bottom - top), self.view.frame)
 
-    def _aside(self, velocity: Vector) -> Vector:
-        """How far the velocity's arrow moves to its left, for the force's to be seen (dp)."""
+    def _aside(self, velocity: Vector) -> float:
+        """How far the velocity's arrow moves aside, for the force's to be seen (dp)."""
         if not self.push:
-            return Vector(0.0, 0.0)
+            return 0.0
         along = velocity.x * self.force.x + velocity.y * self.force.y
         sizes = hits.size(velocity) * hits.size(self.force)
-        part = BESIDE * max(along / sizes, 0.0) ** 2 if sizes else 0.0
-        speed = hits.size(velocity)
-        return Vector(-velocity.y / speed * part, velocity.x / speed * part)
+        return BESIDE * max(along / sizes, 0.0) ** 2 if sizes else 0.0
 
 
 def _readouts(area: Layout) -> list[Rect]:

@@ -57,17 +57,20 @@ def fitting(canvas: Canvas, at: tuple[float, float], reach: tuple[float, float])
 
 
 def leaving(
-    canvas: Canvas, body: Body, reach: tuple[float, float], radius: float
+    canvas: Canvas, body: Body, reach: tuple[float, float], radius: float, aside: float = 0.0
 ) -> tuple[Vector, float]:
     """Where an arrow that leaves a body starts (m), and how much of its `reach` (dp) is drawn.
 
-    It starts on the outline; if there is no room before the body, all of it is drawn beside.
+    It starts on the outline, moved to its left by `aside` (dp); if there is no room before the
+    body of this `radius` (m), all of it is drawn beside.
     """
-    start = Vector(*canvas.edge(body, reach))
-    part = fitting(canvas, start, reach)
-    if part >= SHORTEST:
-        return start, part
-    return beside(canvas, body.position, reach, radius), 1.0
+    (dx, dy), scale = reach, canvas.view.scale
+    length, edge = math.sqrt(dx * dx + dy * dy), canvas.edge(body, reach)
+    part = fitting(canvas, edge, reach)
+    if part < SHORTEST:
+        return beside(canvas, body.position, reach, radius + aside / scale), 1.0
+    by = aside / scale / length
+    return Vector(edge[0] - dy * by, edge[1] + dx * by), part
 
 
 def beside(canvas: Canvas, center: Vector, reach: tuple[float, float], radius: float) -> Vector:
