@@ -15,16 +15,15 @@ from time import perf_counter, process_time
 
 import av
 from av.video.reformatter import VideoReformatter
-from scene import FPS, SIZE, export, frames
+from scene import export, film, frames
 
-from app.frames import Film
 from app.outputs.video import Mp4, converted
 
 ROUNDS = 3
 
 
 def alone(pictures: list[av.VideoFrame], target: Path) -> None:
-    encoder = Mp4(target, Film(*SIZE, FPS, "Benchmark"))
+    encoder = Mp4(target, film())
     for index, picture in enumerate(pictures):
         encoder.encode(picture, index)
     encoder.finish()

@@ -7,9 +7,10 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from app.frames import Pixels
+from app.frames import Film, Pixels
 from app.render import render
 from app.scenario.load import Overrides, load
+from app.scenario.model import Scenario
 from assets import SCENARIOS
 
 SIZE = (720, 1280)
@@ -17,11 +18,21 @@ FPS = 30
 NAME = "reactions-many-balls"
 
 
+def scenario() -> Scenario:
+    """What is filmed."""
+    size = "x".join(map(str, SIZE))
+    return load(str(SCENARIOS / f"{NAME}.yaml"), Overrides(size=size, fps=str(FPS)))
+
+
+def film() -> Film:
+    """What an output is told of it."""
+    filmed = scenario()
+    return Film(*filmed.size, filmed.fps, filmed.title, filmed.alt)
+
+
 def export(*paths: Path | str) -> None:
     """Simulate and draw the scenario once, as `laws render` does, and write these outputs."""
-    size = "x".join(map(str, SIZE))
-    scenario = load(str(SCENARIOS / f"{NAME}.yaml"), Overrides(size=size, fps=str(FPS)))
-    render(replace(scenario, outputs=tuple(map(str, paths))))
+    render(replace(scenario(), outputs=tuple(map(str, paths))))
 
 
 def frames() -> list[Pixels]:
