@@ -23,12 +23,12 @@ SAG = 2e-3
 """Greatest overlap by the softness of the spring, in reaches of the smaller body: where a load
 would press deeper, the spring is made stiffer."""
 
-DEEP = 0.02
-"""Overlap whose correction lends so much velocity that it takes more sweeps to take it back, as a
-share of the smaller body's reach."""
+CALM = 0.02
+"""A sweep that changes no contact's velocity by more is the last, in reaches of the smaller body a
+second (1/s): at rest one sweep is enough."""
 
-DEEP_SWEEPS = 4
-"""Their number."""
+MOST_SWEEPS = 8
+"""Sweeps that a part has at most."""
 
 PUSH = 2.0
 """Fastest correction of an overlap, in reaches of the smaller body a second (1/s)."""
@@ -134,8 +134,7 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
             bodies.kick_spin[row] = bodies.spin[row] + bodies.aspin[row] * part
     for k in range(resting):
         warm_start(t, t.pairs.resting[k])
-    for k in range(resting):
-        solve(t, t.pairs.resting[k], part, False)
+    sweep_until_calm(t, resting, part, False)
     for k in range(resting):
         remember(t, t.pairs.resting[k])
     for row in range(count):
@@ -158,19 +157,10 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float) -> None
             bodies.kick_spin[row] = bodies.spin[row]
     for k in range(resting):
         turn_by_shift(t, t.pairs.resting[k], done)
-    sweeps = 1
     for k in range(resting):
-        pair = t.pairs.resting[k]
-        if t.pairs.state[pair] == RESTING:
-            move_arms(t, pair)
-            for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
-                if t.contacts.gap[row] < -DEEP * t.pairs.size[pair]:
-                    sweeps = DEEP_SWEEPS
-    for _ in range(sweeps):
-        for k in range(resting):
-            pair = t.pairs.resting[k]
-            if t.pairs.state[pair] == RESTING:
-                solve(t, pair, part, True)
+        if t.pairs.state[t.pairs.resting[k]] == RESTING:
+            move_arms(t, t.pairs.resting[k])
+    sweep_until_calm(t, resting, part, True)
     for row in range(count):
         if bodies.held[row] > 0:
             bodies.vx[row] = bodies.kick_x[row]
@@ -265,6 +255,19 @@ def move_arms(t: Tables, pair: int) -> None:
         contacts.b_y[row] -= (1.0 - of_a) * y
 
 
+def sweep_until_calm(t: Tables, resting: int, part: float, relaxing: bool) -> None:
+    """Solve all resting pairs one after the other, again while that changes much."""
+    for _ in range(MOST_SWEEPS):
+        wild = False
+        for k in range(resting):
+            pair = t.pairs.resting[k]
+            if t.pairs.state[pair] == RESTING:
+                change = solve(t, pair, part, relaxing)
+                wild = wild or change > CALM * t.pairs.size[pair]
+        if not wild:
+            return
+
+
 def warm_start(t: Tables, pair: int) -> None:
     """Apply the impulses of the part before."""
     contacts = t.contacts
@@ -295,8 +298,11 @@ def exchange_impulse(t: Tables, pair: int, row: int, jx: float, jy: float) -> No
     bodies.kick_spin[b] += bodies.inverse_inertia[b] * turn
 
 
-def solve(t: Tables, pair: int, part: float, relaxing: bool) -> None:
-    """One sweep over the points of a pair: impulses along the normal, then friction."""
+def solve(t: Tables, pair: int, part: float, relaxing: bool) -> float:
+    """Solve the points of a pair once, along the normal, then against the sliding.
+
+    Returns the greatest change of a normal velocity (m/s).
+    """
     bodies = t.bodies
     contacts = t.contacts
     a = t.pairs.a[pair]
@@ -315,6 +321,7 @@ def solve(t: Tables, pair: int, part: float, relaxing: bool) -> None:
     vy_b = bodies.kick_y[b]
     spin_b = bodies.kick_spin[b]
     fixed = mass_a == 0.0 or mass_b == 0.0
+    greatest = 0.0
     rate, yielding = softness(part, fixed)
     soft = yielding * t.pairs.give[pair]
     stiff = 1.0 - soft
@@ -341,6 +348,10 @@ def solve(t: Tables, pair: int, part: float, relaxing: bool) -> None:
         if after < 0.0:
             after = 0.0
         change = after - before
+        if change > greatest * contacts.normal_mass[row]:
+            greatest = change / contacts.normal_mass[row]
+        elif -change > greatest * contacts.normal_mass[row]:
+            greatest = -change / contacts.normal_mass[row]
         contacts.normal_impulse[row] = after
         jx = change * nx
         jy = change * ny
@@ -381,6 +392,7 @@ def solve(t: Tables, pair: int, part: float, relaxing: bool) -> None:
     bodies.kick_x[b] = vx_b
     bodies.kick_y[b] = vy_b
     bodies.kick_spin[b] = spin_b
+    return greatest
 
 
 def frequency(part: float, fixed: bool) -> float:

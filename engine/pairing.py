@@ -15,7 +15,6 @@ from engine.tables import (
     Tables,
     allocate,
     arrays,
-    grow,
     views,
 )
 
@@ -54,8 +53,6 @@ def pair_up(
     reach, free = np.asarray(t.bodies.reach), np.asarray(t.bodies.inverse_mass) > 0.0
     wide = np.where(free, reach, np.inf)
     np.asarray(pairs.size)[:found] = np.minimum(wide[a], wide[b])
-    if len(t.impacts.a) < 2 * found:
-        t = t._replace(impacts=views(grow(t.impacts, 4 * found)))
     t = t._replace(pairs=views(pairs), contacts=views(contacts), links=links(t, a, b, count))
     mix(t, found, *rules)
     return t, found
@@ -94,6 +91,12 @@ def keys(pairs: Pairs, pair_count: int) -> Any:
     return (np.asarray(pairs.a)[:pair_count] << 32) | np.asarray(pairs.b)[:pair_count]
 
 
+def link(t: Tables, count: int, pair_count: int) -> Tables:
+    """List the pairs of each body anew, for a list of pairs that was put back."""
+    a, b = np.asarray(t.pairs.a)[:pair_count], np.asarray(t.pairs.b)[:pair_count]
+    return t._replace(links=links(t, a, b, count))
+
+
 def links(t: Tables, a: Any, b: Any, count: int) -> Links:
     """List the pairs of each body, and say in `Bodies` where they stand."""
     ends = np.concatenate((a, b))
@@ -125,11 +128,6 @@ def forget(t: Tables, pair_count: int, row: int) -> int:
     for rows in (a[: len(kept)], b[: len(kept)]):
         rows[rows > row] -= 1
     return len(kept)
-
-
-def make_room_for_impacts(t: Tables) -> Tables:
-    """Double the table of impacts."""
-    return t._replace(impacts=views(grow(t.impacts, 2 * len(t.impacts.a))))
 
 
 def resting_columns(t: Tables, pair_count: int) -> list[Any]:

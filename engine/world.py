@@ -12,7 +12,7 @@ from engine.body import Body, OnCollision, OnMove
 from engine.collision import Collision, Diverged, Removed
 from engine.forces import Drag, Push
 from engine.jit import choose
-from engine.pairing import as_arrays, forget, make_room_for_impacts, pair_up, resting_columns
+from engine.pairing import as_arrays, forget, link, pair_up, resting_columns
 from engine.settings import TICK, Rule, geometric_mean, larger, laws
 from engine.shapes import Particle, Polygon, Shape, Wall
 from engine.snapshot import Snapshot
@@ -33,8 +33,11 @@ from engine.tables import (
     views,
 )
 from engine.tick import SOUND
-from engine.travel import CROWDED, ESCAPED
+from engine.travel import ESCAPED
 from engine.vector import Vector
+
+IMPACTS_AT_ONCE = 4096
+"""Rows of the table of impacts; after so many in one tick the kernel pauses to have it emptied."""
 
 
 class World:
@@ -85,7 +88,7 @@ class World:
             contacts=views(allocate(Contacts, 128)),
             links=views(allocate(Links, 1)),
             touch=views(allocate(Touch, 2)),
-            impacts=views(allocate(Impacts, 64)),
+            impacts=views(allocate(Impacts, IMPACTS_AT_ONCE)),
         )
         self.pushes = views(allocate(Pushes, 8))
         self._arrays_of = self._arrays = self.tables
@@ -245,7 +248,7 @@ class World:
         used: list[tuple[Any, int]] = [(t.bodies, self._count), (t.corners, self._corner_count)]
         used += [(t.pairs, pairs), (t.contacts, 2 * pairs), (self.pushes, self._push_count)]
         tables = tuple(tuple(column[:n].copy() for column in arrays(t)) for t, n in used)
-        numbers = (self.tick, *self._clock, self._next_body, self._next_push)
+        numbers = (self.tick, *self._clock, self._next_body, self._next_push, self._stale)
         return Snapshot(tables, numbers, tuple(self._handles.values()))
 
     def restore(self, snapshot: Snapshot) -> None:
@@ -263,10 +266,11 @@ class World:
             bodies=new_bodies, corners=new_corners, pairs=new_pairs, contacts=new_contacts
         )
         self.pushes, self._push_count = _refill(self.pushes, pushes)
-        self._stale = True
-        tick, base, ticks, dt, next_body, next_push = snapshot.numbers
+        self.tables = link(self.tables, self._count, self._pair_count)
+        tick, base, ticks, dt, next_body, next_push, stale = snapshot.numbers
         self.tick, self._clock = int(tick), (base, int(ticks), dt)
         self._next_body, self._next_push = int(next_body), int(next_push)
+        self._stale = bool(stale)
         self._handles = {body.id: body for body in snapshot.handles}
         self._rows = {id: i for i, id in enumerate(self._handles)}
 
@@ -355,9 +359,7 @@ class World:
                 self._seen(), self._count, self._pair_count, now, dt, substep, limit
             )
             collisions += self._reported()
-            if status == CROWDED:
-                self.tables = make_room_for_impacts(self.tables)
-            elif status == ESCAPED:
+            if status == ESCAPED:
                 self._find_pairs(dt)
         self._refuse_divergence(
             self._kernels.finish(self._seen(), self._count, self._pair_count, self.laws, dt)

@@ -26,7 +26,7 @@ def shape(dice: random.Random, spinning: bool = True) -> Circle | Polygon | Part
 
 
 @given(seed=st.integers(0, 10**6), e=st.floats(0, 1), friction=st.floats(0, 1))
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=12, deadline=None, derandomize=True)
 def test_isolated_bodies_keep_momentum_and_angular_momentum(
     seed: int, e: float, friction: float
 ) -> None:
@@ -50,8 +50,7 @@ def test_isolated_bodies_keep_momentum_and_angular_momentum(
     collisions = 0
     for _ in range(120):
         collisions += len(world.step())
-        assert world.kinetic_energy <= energy * (1 + 1e-5)
-        energy = world.kinetic_energy
+        assert world.kinetic_energy <= energy * (1 + 1e-9)
     assert world.momentum == pytest.approx(momentum, abs=1e-12 * of_size)
     assert world.angular_momentum == pytest.approx(spin, abs=1e-11 * of_size)
 
@@ -115,8 +114,8 @@ def test_mixed_shapes_stay_in_their_box(friction: float) -> None:
             assert 0 < body.y < 6
 
 
-@given(seed=st.integers(0, 10**6), e=st.floats(0, 1))
-@settings(max_examples=12, deadline=None)
+@given(seed=st.integers(0, 10**6), e=st.floats(0.05, 1))
+@settings(max_examples=12, deadline=None, derandomize=True)
 def test_reported_impulses_sum_to_the_change_of_momentum(seed: int, e: float) -> None:
     dice = random.Random(seed)
     world = World()
