@@ -7,21 +7,10 @@ part before. Each is exchanged at one common point while the bodies stand in the
 of the tick (or, when relaxing, at its end), so that angular momentum is kept to rounding.
 """
 
-import math
-
 from engine.manifolds.any_pair import touching_points
 from engine.pose import place
+from engine.spring import softness, softness_left
 from engine.tables import RESTING, Contacts, Tables
-
-DAMPING = 10.0
-"""Damping ratio of the spring: overlaps creep apart and never swing."""
-
-MOST_HERTZ = 60.0
-"""Frequency of the spring (1/s), for substeps that are short enough to follow it."""
-
-SAG = 2e-3
-"""Greatest overlap by the softness of the spring, in reaches of the smaller body: where a load
-would press deeper, the spring is made stiffer."""
 
 CALM = 0.02
 """A sweep that changes no contact's velocity by more is the last, in reaches of the smaller body a
@@ -76,25 +65,6 @@ def prepare(t: Tables, pair: int, half: float) -> None:
         contacts.normal_impulse[row] = normal * share
         contacts.tangent_impulse[row] = tangent * share
         measure(t, pair, row, t.touch.x[i], t.touch.y[i])
-
-
-def softness_left(t: Tables, pair: int, part: float) -> float:
-    """Share of its softness that a contact may have under its load, 0..1.
-
-    The load is an acceleration (m/s^2): what the contact carried in its last part, or what forces
-    press together now. A spring of circular frequency w yields to it by load / w^2.
-    """
-    bodies = t.bodies
-    a = t.pairs.a[pair]
-    b = t.pairs.b[pair]
-    nx = t.pairs.normal_x[pair]
-    ny = t.pairs.normal_y[pair]
-    load = (bodies.ax[a] - bodies.ax[b]) * nx + (bodies.ay[a] - bodies.ay[b]) * ny
-    if t.pairs.part[pair] > 0.0 and t.pairs.carried[pair] > load * t.pairs.part[pair]:
-        load = t.pairs.carried[pair] / t.pairs.part[pair]
-    omega = frequency(part, bodies.inverse_mass[a] == 0.0 or bodies.inverse_mass[b] == 0.0)
-    most = SAG * t.pairs.size[pair] * omega * omega
-    return 1.0 if load <= most else most / load
 
 
 def measure(t: Tables, pair: int, row: int, x: float, y: float) -> None:
@@ -393,26 +363,6 @@ def solve(t: Tables, pair: int, part: float, relaxing: bool) -> float:
     bodies.kick_y[b] = vy_b
     bodies.kick_spin[b] = spin_b
     return greatest
-
-
-def frequency(part: float, fixed: bool) -> float:
-    """Circular frequency of the spring (1/s); doubly stiff on a wall."""
-    hertz = 0.25 / part
-    if hertz > MOST_HERTZ:
-        hertz = MOST_HERTZ
-    if fixed:
-        hertz *= 2.0
-    return 2.0 * math.pi * hertz
-
-
-def softness(part: float, fixed: bool) -> tuple[float, float]:
-    """Rate (1/s) at which overlaps are corrected, and share of the impulse that the spring drops.
-
-    What is left of one is the share of the full mass with which it acts.
-    """
-    omega = frequency(part, fixed)
-    damped = 2.0 * DAMPING + part * omega
-    return omega / damped, 1.0 / (1.0 + part * omega * damped)
 
 
 def remember(t: Tables, pair: int) -> None:

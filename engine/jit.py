@@ -35,6 +35,7 @@ SOURCES = (
     "meeting",
     "pose",
     "resting",
+    "spring",
     "travel",
     "tick",
 )

@@ -10,11 +10,12 @@ from engine import snapshot as snapshots
 from engine import validate
 from engine.body import Body, OnCollision, OnMove
 from engine.collision import Collision, Diverged, Removed
+from engine.enrol import initial_values, refill, write_body
 from engine.forces import Drag, Push
 from engine.jit import choose
 from engine.pairing import as_arrays, forget, link, pair_up, resting_columns
 from engine.settings import TICK, Rule, geometric_mean, larger, laws
-from engine.shapes import Particle, Polygon, Shape, Wall
+from engine.shapes import Shape
 from engine.snapshot import Snapshot
 from engine.tables import (
     Bodies,
@@ -137,24 +138,20 @@ class World:
             raise TypeError(f"a body needs a Circle, Particle, Polygon or Wall, not {shape!r}")
         given = {"mass": mass, "position": position, "angle": angle, "velocity": velocity}
         given |= {"spin": spin, "inertia": inertia}
-        if isinstance(shape, Wall):
-            for what, value in given.items():
-                if value is not None:
-                    raise ValueError(f"a wall is immovable: it takes no {what} {value}")
-        elif isinstance(shape, Particle) and (inertia is not None or spin):
-            raise ValueError("a particle never rotates: it takes no inertia and no spin")
-        values = {
-            "restitution": validate.fraction(restitution, "restitution"),
-            "friction": validate.not_negative(friction, "friction"),
-            **_inertness(shape, mass, inertia),
-            **_motion(position, angle, velocity, spin),
-        }
+        given |= {"restitution": restitution, "friction": friction}
+        values = initial_values(shape, given)
         id = self._next_body
         self._next_body += 1
         kind = type(shape).__name__.lower()
         body = Body(self, id, shape, f"{kind} {id}" if name is None else str(name))
         body.on_move, body.on_collision = on_move, on_collision
-        self._place(body, values)
+        self.tables, self._corner_count = write_body(
+            self.tables, shape, id, self._count, self._corner_count, values
+        )
+        self._handles[id] = body
+        self._rows[id] = self._count
+        self._count += 1
+        self.displaced()
         return body
 
     def remove(self, body: Body) -> None:
@@ -258,14 +255,14 @@ class World:
         if any(body._world is not self for body in snapshot.handles):
             raise ValueError("the snapshot is of another world")
         bodies, corners, pairs, contacts, pushes = snapshot.tables
-        new_bodies, self._count = _refill(self.bodies, bodies)
-        new_corners, self._corner_count = _refill(self.tables.corners, corners)
-        new_pairs, self._pair_count = _refill(self.tables.pairs, pairs)
-        new_contacts, _ = _refill(self.tables.contacts, contacts)
+        new_bodies, self._count = refill(self.bodies, bodies)
+        new_corners, self._corner_count = refill(self.tables.corners, corners)
+        new_pairs, self._pair_count = refill(self.tables.pairs, pairs)
+        new_contacts, _ = refill(self.tables.contacts, contacts)
         self.tables = self.tables._replace(
             bodies=new_bodies, corners=new_corners, pairs=new_pairs, contacts=new_contacts
         )
-        self.pushes, self._push_count = _refill(self.pushes, pushes)
+        self.pushes, self._push_count = refill(self.pushes, pushes)
         self.tables = link(self.tables, self._count, self._pair_count)
         tick, base, ticks, dt, next_body, next_push, stale = snapshot.numbers
         self.tick, self._clock = int(tick), (base, int(ticks), dt)
@@ -427,80 +424,3 @@ class World:
             for body in (collision.a, collision.b):
                 if body.id in self._handles and body.on_collision is not None:
                     body.on_collision(body, collision)
-
-    def _place(self, body: Body, values: dict[str, float]) -> None:
-        """Write a new body into the tables."""
-        shape, row = body.shape, self._count
-        points = _corner_points(shape)
-        if row == len(self.bodies.id):
-            self.tables = self.tables._replace(bodies=views(grow(self.bodies, 2 * row)))
-        while self._corner_count + len(points) > len(self.tables.corners.x):
-            more = views(grow(self.tables.corners, 2 * len(self.tables.corners.x)))
-            self.tables = self.tables._replace(corners=more)
-        for column in self.bodies:
-            column[row] = 0
-        b = self.bodies
-        b.id[row], b.first[row], b.corners[row] = body.id, self._corner_count, len(points)
-        for name, value in values.items():
-            getattr(b, name)[row] = value
-        b.radius[row] = getattr(shape, "radius", 0.0)
-        b.reach[row] = b.radius[row] + max(math.dist(p, (0.0, 0.0)) for p in points)
-        b.one_sided[row] = int(isinstance(shape, Wall) and shape.one_sided)
-        inner = math.inf
-        for i, start in enumerate(points):
-            end = points[(i + 1) % len(points)]
-            k, c = self._corner_count + i, self.tables.corners
-            x, y = end.x - start.x, end.y - start.y
-            length = math.sqrt(x * x + y * y) or 1.0
-            c.x[k], c.y[k] = c.world_x[k], c.world_y[k] = start
-            c.normal_x[k], c.normal_y[k] = y / length, -x / length
-            c.world_normal_x[k], c.world_normal_y[k] = c.normal_x[k], c.normal_y[k]
-            inner = min(inner, (start.x * y - start.y * x) / length)
-        b.inner[row] = inner if isinstance(shape, Polygon) else b.radius[row]
-        self._corner_count += len(points)
-        self._count += 1
-        self._handles[body.id] = body
-        self._rows[body.id] = row
-        b.order[row] = row
-        self.displaced()
-
-
-def _corner_points(shape: Shape) -> tuple[Vector, ...]:
-    """Corners of the hull that is rounded by the radius: one for round shapes (m)."""
-    if isinstance(shape, Polygon):
-        return shape.vertices
-    if isinstance(shape, Wall):
-        return (shape.start, shape.end)
-    return (Vector(0.0, 0.0),)
-
-
-def _inertness(shape: Shape, mass: float | None, inertia: float | None) -> dict[str, float]:
-    """Mass, moment of inertia and their inverses, as columns of `Bodies`."""
-    if isinstance(shape, Wall):
-        still = {"mass": math.inf, "inertia": math.inf}
-        return still | {"inverse_mass": 0.0, "inverse_inertia": 0.0}
-    kg = 1.0 if mass is None else validate.positive(mass, "mass")
-    turning = shape.inertia(kg) if inertia is None else validate.positive(inertia, "inertia")
-    return {
-        "mass": kg, "inverse_mass": 1.0 / kg, "inertia": turning, "inverse_inertia": 1.0 / turning,
-    }  # fmt: skip
-
-
-def _motion(position: Any, angle: Any, velocity: Any, spin: Any) -> dict[str, float]:
-    """Pose and motion, as columns of `Bodies`."""
-    nowhere = (0.0, 0.0)
-    x, y = validate.vector(nowhere if position is None else position, "position")
-    vx, vy = validate.vector(nowhere if velocity is None else velocity, "velocity")
-    turned = validate.finite(0.0 if angle is None else angle, "angle")
-    turning = validate.finite(0.0 if spin is None else spin, "spin")
-    return {"x": x, "y": y, "vx": vx, "vy": vy, "angle": turned, "spin": turning}
-
-
-def _refill(table: Any, columns: tuple[Any, ...]) -> tuple[Any, int]:
-    """Put saved columns back into a table (or a larger one); return it and its number of rows."""
-    rows = len(columns[0])
-    if rows > len(table[0]):
-        table = views(grow(table, 2 * rows))
-    for column, saved in zip(arrays(table), columns, strict=True):
-        column[:rows] = saved
-    return table, rows

@@ -1,0 +1,54 @@
+"""The spring of a resting contact: how stiff it is, and how far a load presses it."""
+
+import math
+
+from engine.tables import Tables
+
+DAMPING = 10.0
+"""Damping ratio of the spring: overlaps creep apart and never swing."""
+
+MOST_HERTZ = 60.0
+"""Frequency of the spring (1/s), for substeps that are short enough to follow it."""
+
+SAG = 2e-3
+"""Greatest overlap by the softness of the spring, in reaches of the smaller body: where a load
+would press deeper, the spring is made stiffer."""
+
+
+def softness_left(t: Tables, pair: int, part: float) -> float:
+    """Share of its softness that a contact may have under its load, 0..1.
+
+    The load is an acceleration (m/s^2): what the contact carried in its last part, or what forces
+    press together now. A spring of circular frequency w yields to it by load / w^2.
+    """
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    nx = t.pairs.normal_x[pair]
+    ny = t.pairs.normal_y[pair]
+    load = (bodies.ax[a] - bodies.ax[b]) * nx + (bodies.ay[a] - bodies.ay[b]) * ny
+    if t.pairs.part[pair] > 0.0 and t.pairs.carried[pair] > load * t.pairs.part[pair]:
+        load = t.pairs.carried[pair] / t.pairs.part[pair]
+    omega = frequency(part, bodies.inverse_mass[a] == 0.0 or bodies.inverse_mass[b] == 0.0)
+    most = SAG * t.pairs.size[pair] * omega * omega
+    return 1.0 if load <= most else most / load
+
+
+def frequency(part: float, fixed: bool) -> float:
+    """Circular frequency of the spring (1/s); doubly stiff on a wall."""
+    hertz = 0.25 / part
+    if hertz > MOST_HERTZ:
+        hertz = MOST_HERTZ
+    if fixed:
+        hertz *= 2.0
+    return 2.0 * math.pi * hertz
+
+
+def softness(part: float, fixed: bool) -> tuple[float, float]:
+    """Rate (1/s) at which overlaps are corrected, and share of the impulse that the spring drops.
+
+    What is left of one is the share of the full mass with which it acts.
+    """
+    omega = frequency(part, fixed)
+    damped = 2.0 * DAMPING + part * omega
+    return omega / damped, 1.0 / (1.0 + part * omega * damped)
