@@ -14,7 +14,7 @@ ASCENT, DESCENT, CAP_HEIGHT = 0.96875, 0.2412109375, 0.7275390625
 """Of Inter, in em."""
 FINE = 4
 """Floating letters are set this many times too large, to be placed to a quarter of a pixel."""
-FINENESS = ((24, 4), (60, 2))
+FINENESS = ((16, 4), (60, 2))
 """Lines up to an em of so many pixels are set so many times too large and made smaller.
 
 Fonts place letters on whole pixels, which is uneven if they are small.
@@ -22,6 +22,7 @@ Fonts place letters on whole pixels, which is uneven if they are small.
 LONGEST = 500
 """A line is cut after this many characters: a picture of it would be wider than any screen."""
 ELLIPSIS = "\u2026"
+WHITE = (255, 255, 255)
 
 
 class Type:
@@ -151,25 +152,24 @@ def _shrunk(
     font: pygame.font.Font, words: str, fine: int, right: int = 0, down: int = 0
 ) -> Coverage:
     """The mask of words that are set `fine` times too large, moved by such fine pixels."""
-    large = _coverage(font, words)
-    if fine == 1:
-        return large
+    if fine == 1 or not words.strip():
+        return _coverage(font, words, fine)
+    large = font.render(words, True, WHITE)
     above = _rise(font, fine) * fine - font.get_ascent() + down
-    rows = -(-(above + large.shape[0]) // fine)
-    columns = -(-(right + large.shape[1]) // fine)
-    room = np.zeros((rows * fine, columns * fine), np.uint8)
-    room[above : above + large.shape[0], right : right + large.shape[1]] = large
-    sums = np.full((rows, columns), fine * fine // 2, np.uint16)
-    for row in range(fine):
-        for column in range(fine):
-            sums += room[row::fine, column::fine]
-    sums //= fine * fine
-    return sums.astype(np.uint8)
+    columns = -(-(right + large.get_width()) // fine)
+    rows = -(-(above + large.get_height()) // fine)
+    room = pygame.Surface((columns * fine, rows * fine), pygame.SRCALPHA, 32)
+    room.blit(large, (right, above))
+    return _opacity(pygame.transform.smoothscale(room, (columns, rows)))
 
 
-def _coverage(font: pygame.font.Font, words: str) -> Coverage:
-    """The mask of a line; at least one pixel wide."""
-    if not words.strip():
-        return np.zeros((font.get_height(), max(1, font.size(words)[0])), np.uint8)
-    picture = font.render(words, True, (255, 255, 255))
+def _coverage(font: pygame.font.Font, words: str, fine: int) -> Coverage:
+    """The mask of a line that is not made smaller, or of nothing but spaces."""
+    if words.strip():
+        return _opacity(font.render(words, True, WHITE))
+    return np.zeros((-(-font.get_height() // fine), max(1, font.size(words)[0] // fine)), np.uint8)
+
+
+def _opacity(picture: pygame.Surface) -> Coverage:
+    """The opacity of a picture as a mask."""
     return np.ascontiguousarray(pygame.surfarray.array_alpha(picture).T, np.uint8)
