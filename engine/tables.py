@@ -312,6 +312,8 @@ def views(table: Table) -> Table:
 
 
 def remove_row(table: Any, row: int, rows: int) -> None:
-    """Close the gap that `row` leaves among the first `rows`."""
+    """Close the gap that `row` leaves among the first `rows`; the last leaves none."""
+    if row == rows - 1:
+        return
     for column in arrays(table):
         column[row : rows - 1] = column[row + 1 : rows]

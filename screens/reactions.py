@@ -315,7 +315,7 @@ class Reactions:
 
     def _push_all(self) -> None:
         """Exert the force of the tilt on every ball, instead of the one before."""
-        for push in self.pushes:
+        for push in reversed(self.pushes):
             push.stop()
         force = self.force
         tilted = force != (0.0, 0.0)

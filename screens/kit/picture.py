@@ -90,7 +90,7 @@ class Picture:
     ) -> None:
         """Paint a shape given in pixels; one that lies outside costs nothing.
 
-        A `fleeting` one, which will hardly be met again, takes no room from what is kept.
+        Of a `fleeting` one, whose opacity changes from frame to frame, only the mask is kept.
         """
         box = bounding_box(shape)
         if box is None or alpha <= 0:
@@ -98,17 +98,23 @@ class Picture:
         seen = box.meet(self._clip)
         if not seen.area:
             return
-        if fleeting or box.area > self.width * self.height:
+        if box.area > self.width * self.height:
             sprite = _sprite(cover(shape, look, seen), color, _level(alpha))
             self._changed(self._surface.blit(sprite, (seen.left, seen.top)))
             return
         home = shape.moved(-box.left, -box.top)
         key = (type(home), home, look)
-        if not self.restamp(key, color, alpha, box.left, box.top):
-            mask = self._masks.find(key)
-            if mask is None:
-                mask = cover(home, look, Box(0, 0, *box.extent))
-            self.stamp(key, mask, color, alpha, box.left, box.top)
+        if not fleeting and self.restamp(key, color, alpha, box.left, box.top):
+            return
+        mask = self._masks.find(key)
+        if mask is None:
+            mask = cover(home, look, Box(0, 0, *box.extent))
+        if fleeting:
+            self._masks.keep(key, mask, mask.size + OVERHEAD)
+            sprite = _sprite(mask, color, _level(alpha))
+            self._changed(self._surface.blit(sprite, (box.left, box.top)))
+            return
+        self.stamp(key, mask, color, alpha, box.left, box.top)
 
     def mask(self, key: Hashable) -> Coverage | None:
         """The mask that was stamped under this key, if it is still held."""

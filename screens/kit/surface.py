@@ -24,6 +24,8 @@ Valign = Literal["top", "middle", "baseline"]
 
 PHASES, SMALL = 16, 96.0
 """Discs of up to 96 px radius are placed to a sixteenth of a pixel, so that masks are met again."""
+HALVES, FINEST = 2, 64
+"""Fading arrows start at such parts of a pixel, and their reach is rounded to such parts."""
 FAR = 1e5
 """Nothing small that is farther away than this can be seen (px)."""
 LAYERS = 2
@@ -164,10 +166,15 @@ class Surface:
     ) -> None:
         """An arrow; one that is too short for its head is drawn smaller, one without length not."""
         start, end = self._point(tail), self._point(tip)
+        fades = alpha < 1
+        if fades:
+            # What fades moves, too, as a rule: at half pixels its mask is soon met again.
+            reach = Point(end.x - start.x, end.y - start.y)
+            start = Point(_to(start.x, HALVES), _to(start.y, HALVES))
+            end = Point(start.x + _to(reach.x, FINEST), start.y + _to(reach.y, FINEST))
         if arrows.shape(start, end, width * self.scale) is not None:
             shape = ArrowShape(start, end, width * self.scale, head == "hollow")
-            # What fades moves, too, as a rule.
-            self._picture.paint(shape, FILLED, color, alpha, fleeting=alpha < 1)
+            self._picture.paint(shape, FILLED, color, alpha, fleeting=fades)
 
     # -- words --------------------------------------------------------------------------------
 
@@ -330,6 +337,11 @@ class Surface:
         else:
             self._picture.paint(shape, Look(inset=line / 2), color, alpha)
             self._picture.paint(shape, Look(0, 1, line), outline, outline_alpha)
+
+
+def _to(value: float, parts: int) -> float:
+    """`value` rounded to whole `parts` of a pixel; what is not finite or far off stays."""
+    return round(value * parts) / parts if abs(value) < FAR else value
 
 
 def _share(align: Align) -> float:
