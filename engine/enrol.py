@@ -8,6 +8,9 @@ from engine.shapes import Particle, Polygon, Shape, Wall
 from engine.tables import Tables, arrays, grow, views
 from engine.vector import Vector
 
+HUGE = 1e100
+"""Masses (kg) and moments of inertia (kg m^2) lie between this and its inverse."""
+
 
 def initial_values(shape: Shape, given: dict[str, Any]) -> dict[str, float]:
     """Check what was given for a new body; return it as columns of `Bodies`.
@@ -82,6 +85,12 @@ def _inertness(shape: Shape, mass: float | None, inertia: float | None) -> dict[
         return still | {"inverse_mass": 0.0, "inverse_inertia": 0.0}
     kg = 1.0 if mass is None else validate.positive(mass, "mass")
     turning = shape.inertia(kg) if inertia is None else validate.positive(inertia, "inertia")
+    turns = turning <= HUGE or isinstance(shape, Particle)
+    if not (1.0 / HUGE <= kg <= HUGE and turning >= 1.0 / HUGE and turns):
+        raise ValueError(
+            f"{shape} with a mass of {kg} kg and a moment of inertia of {turning} kg m^2 is beyond "
+            f"what can be computed, {1.0 / HUGE} to {HUGE}"
+        )
     return {
         "mass": kg, "inverse_mass": 1.0 / kg, "inertia": turning, "inverse_inertia": 1.0 / turning,
     }  # fmt: skip

@@ -76,6 +76,8 @@ class Polygon:
 
     def __init__(self, vertices: Iterable[Any]) -> None:
         """Take three or more corners as (x, y) pairs (m)."""
+        if isinstance(vertices, str) or not isinstance(vertices, Iterable):
+            raise TypeError(f"vertices must be pairs of numbers, not {vertices!r}")
         given = [validate.vector(v, f"vertices[{i}]") for i, v in enumerate(vertices)]
         corners = _hull(given)
         area, centroid = _area_and_centroid(corners)

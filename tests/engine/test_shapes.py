@@ -101,3 +101,9 @@ def test_bad_regular_polygons(sides: Any, radius: Any) -> None:
 def test_bad_walls(start: Any, end: Any) -> None:
     with pytest.raises((ValueError, TypeError), match=r"wall|start|end"):
         Wall(start, end)
+
+
+@pytest.mark.parametrize("vertices", [None, 3, "abc"])
+def test_vertices_that_are_no_list_are_named(vertices: Any) -> None:
+    with pytest.raises(TypeError, match=f"vertices must be pairs of numbers, not {vertices!r}"):
+        Polygon(vertices)

@@ -396,3 +396,11 @@ def test_the_first_example_of_the_design() -> None:
         assert collision.normal == pytest.approx((0, 1), abs=1e-12)
         assert collision.impulse.y > 0
         assert isinstance(collision.point, Vector)
+
+
+@pytest.mark.parametrize(
+    ("shape", "mass"), [(Circle(1e-320), 1.0), (Circle(1e160), 1.0), (Circle(1.0), 1e-200)]
+)
+def test_masses_beyond_what_can_be_computed_are_refused(shape: Circle, mass: float) -> None:
+    with pytest.raises(ValueError, match="beyond what can be computed"):
+        World().add(shape, mass=mass)
