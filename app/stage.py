@@ -3,12 +3,11 @@
 from collections.abc import Callable
 from random import Random
 
+from app.scenario.model import Scenario
 from screens.kit.scale import dp_size
 from screens.kit.words import load_words
-from screens.lessons import Lessons
-
-from app.scenario.model import Scenario
 from screens.lesson import Dice
+from screens.lessons import Lessons
 
 
 def set_stage(scenario: Scenario) -> Lessons:

@@ -36,7 +36,7 @@ def test_a_kernel_does_nothing_that_machines_do_differently(name: str) -> None:
 
 
 def test_the_search_finds_what_it_looks_for() -> None:
-    bad = "def f(x):\n    try:\n        return max(x ** 2, hypot(x, 1))\n    finally:\n        pass\n"
+    bad = "def f(x):\n  try:\n    return max(x ** 2, hypot(x, 1))\n  finally:\n    pass\n"
     assert len(list(offences(bad))) == 4
 
 
