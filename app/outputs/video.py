@@ -1,5 +1,6 @@
 """H.264 in MP4 and VP9 in WebM: what slides, learning platforms and browsers play."""
 
+from collections import deque
 from concurrent.futures import Future, ThreadPoolExecutor
 from fractions import Fraction
 from pathlib import Path
@@ -17,6 +18,9 @@ from app.outputs.titles import named
 
 KEYFRAMES = 2
 """Seconds between pictures that a player can jump to."""
+
+AHEAD = 2
+"""Pictures that may wait for the encoder, so that it never waits for the next."""
 
 BT709 = 1
 """As matrix, primaries and transfer: what players assume for pictures of this size."""
@@ -62,17 +66,17 @@ class _Video:
         self._time_base = Fraction(1, film.fps)
         self._converter = VideoReformatter()
         self._thread = ThreadPoolExecutor(max_workers=1, thread_name_prefix="laws-video")
-        self._encoding: Future[None] | None = None
+        self._encoding: deque[Future[None]] = deque()
         self._frames = 0
         self._packets = 0
         self._bytes = 0
 
     def frame(self, frame: Frame) -> None:
-        """Convert the picture, while the one before it is encoded."""
+        """Convert the picture, while those before it are encoded."""
         picture = converted(frame.pixels, self._converter)
-        if self._encoding is not None:
-            self._encoding.result()
-        self._encoding = self._thread.submit(self.encode, picture, frame.index)
+        if len(self._encoding) == AHEAD:
+            self._encoding.popleft().result()
+        self._encoding.append(self._thread.submit(self.encode, picture, frame.index))
 
     def encode(self, picture: av.VideoFrame, index: int) -> None:
         """Encode a picture that is in yuv420p already."""
@@ -86,8 +90,8 @@ class _Video:
 
     def finish(self) -> None:
         """Encode what is still waiting, write the index, and see that all of it arrived."""
-        if self._encoding is not None:
-            self._encoding.result()
+        while self._encoding:
+            self._encoding.popleft().result()
         self._thread.shutdown()
         if self._frames:
             self._write(self._stream.encode(None))
