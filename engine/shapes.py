@@ -11,8 +11,8 @@ from engine.vector import Vector
 
 
 @dataclass(frozen=True)
-class Circle:
-    """A disc of uniform density; it spins."""
+class _Round:
+    """What discs have in common, whether they turn or not."""
 
     radius: float
     """(m)"""
@@ -25,6 +25,11 @@ class Circle:
     def area(self) -> float:
         """(m^2)"""
         return math.pi * self.radius * self.radius
+
+
+@dataclass(frozen=True)
+class Circle(_Round):
+    """A disc of uniform density, of some `radius` (m); it spins."""
 
     def inertia(self, mass: float) -> float:
         """Mass moment of inertia about the centre (kg m^2): m r^2 / 2."""
@@ -32,20 +37,8 @@ class Circle:
 
 
 @dataclass(frozen=True)
-class Particle:
-    """A small round body that never rotates: its moment of inertia is infinite."""
-
-    radius: float
-    """(m)"""
-
-    def __post_init__(self) -> None:
-        """Refuse a radius that is no positive number."""
-        object.__setattr__(self, "radius", validate.positive(self.radius, "radius"))
-
-    @property
-    def area(self) -> float:
-        """(m^2)"""
-        return math.pi * self.radius * self.radius
+class Particle(_Round):
+    """A small round body of some `radius` (m) that never rotates: its inertia is infinite."""
 
     def inertia(self, mass: float) -> float:
         """Infinite, whatever the mass: no torque turns it."""

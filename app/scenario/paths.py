@@ -5,12 +5,10 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from app.outputs import SUFFIXES
 from app.scenario.kinds import Schema, Text, read_all, wrong
 from app.scenario.mistakes import Mistake, Place, quote, refuse
 from app.scenario.nodes import ListNode, MapNode, Node
-
-SUFFIXES = (".mp4", ".webm", ".gif", ".apng", ".webp", ".csv", ".json")
-"""Of outputs; a path that ends in `/` is a folder of PNG frames."""
 
 FILMS = (".mp4", ".webm")
 """Their pictures need even sides."""
@@ -66,7 +64,8 @@ class OutputKind:
         return node.place, path
 
     def schema(self) -> Schema:
-        return {"type": "string", "pattern": "(\\.(mp4|webm|gif|apng|webp|csv|json)|/)$"}
+        kinds = "|".join(suffix[1:] for suffix in SUFFIXES)
+        return {"type": "string", "pattern": rf"(\.({kinds})|/)$"}
 
 
 def _hint(path: str) -> str:

@@ -109,12 +109,7 @@ class Picture:
         mask = self._masks.find(key)
         if mask is None:
             mask = cover(home, look, Box(0, 0, *box.extent))
-        if fleeting:
-            self._masks.keep(key, mask, mask.size + OVERHEAD)
-            sprite = _sprite(mask, color, _level(alpha))
-            self._changed(self._surface.blit(sprite, (box.left, box.top)))
-            return
-        self.stamp(key, mask, color, alpha, box.left, box.top)
+        self.stamp(key, mask, color, alpha, box.left, box.top, fleeting)
 
     def mask(self, key: Hashable) -> Coverage | None:
         """The mask that was stamped under this key, if it is still held."""
@@ -129,16 +124,24 @@ class Picture:
         return True
 
     def stamp(
-        self, key: Hashable, mask: Coverage, color: Color, alpha: float, left: int, top: int
+        self,
+        key: Hashable,
+        mask: Coverage,
+        color: Color,
+        alpha: float,
+        left: int,
+        top: int,
+        fleeting: bool = False,
     ) -> None:
-        """Paint a mask in a colour, and keep both under `key`.
+        """Paint a mask in a colour, and keep both under `key`; of what is `fleeting` the mask only.
 
         They are kept apart, as colours fade more often than shapes change.
         """
         level = _level(alpha)
         self._masks.keep(key, mask, mask.size + OVERHEAD)
         sprite = _sprite(mask, color, level)
-        self._sprites.keep((key, color, level), sprite, 4 * mask.size + OVERHEAD)
+        if not fleeting:
+            self._sprites.keep((key, color, level), sprite, 4 * mask.size + OVERHEAD)
         self._changed(self._surface.blit(sprite, (left, top)))
 
     def show(self, layer: "Picture") -> None:

@@ -6,10 +6,11 @@ from pathlib import Path
 
 import pytest
 
+from app.outputs import SUFFIXES
 from app.scenario.catalogue import SCREENS, of_all, of_screen
 from app.scenario.format import Context, StepsKind, file_fields
 from app.scenario.load import load
-from app.scenario.paths import SUFFIXES, Folders
+from app.scenario.paths import Folders
 from app.scenario.rehearse import rehearse
 from app.stage import set_stage
 
