@@ -1,7 +1,7 @@
 """A scenario file becomes a Scenario, or every mistake in it is told."""
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -56,7 +56,7 @@ class _Files:
         self.chain: list[_Open] = []
         self.known: dict[str, tuple[Step, ...] | Refused] = {}
         self.noted: list[Mistake] = []
-        """What does not keep a file from being read to its end."""
+        """What may not stand in a file but does not keep it from being read to its end."""
 
     def scenario(self, path: str, overrides: Overrides) -> Scenario:
         """The file that the person named."""
@@ -74,9 +74,8 @@ class _Files:
         if not mistakes:
             values["set"] = values["set"] | values.pop("more settings", {})
             mistakes.extend(_excess(values, self.folders))
-        mistakes.extend(self.noted)
-        if mistakes:
-            raise Refused(*mistakes)
+        if mistakes or self.noted:
+            raise Refused(*_on_other_lines(mistakes, self.noted), *self.noted)
         values["fps"] = int(values["fps"])
         values["outputs"] = tuple(output for _, output in values.pop("output"))
         values["settings"] = values.pop("set")
@@ -176,6 +175,12 @@ def _content(path: str, named: Place) -> bytes:
         raise refuse(named, "no-file", f"{quote(path)} cannot be the name of a file") from None
 
 
+def _on_other_lines(mistakes: Iterable[Mistake], noted: Iterable[Mistake]) -> Iterator[Mistake]:
+    """The mistakes that do not share a line with an alias or a tag: they might follow from it."""
+    lines = {(m.place.path, m.place.line) for m in noted if m.code in ("alias", "tag")}
+    return (m for m in mistakes if (m.place.path, m.place.line) not in lines)
+
+
 def _names(root: Node) -> Names:
     """What the file may call by name: all screens if it may navigate, else those of its own."""
     screen = root.get("screen") if isinstance(root, MapNode) else None
@@ -222,7 +227,8 @@ def _overridden(overrides: Overrides, fields: Mapping[str, Field]) -> dict[str, 
         outputs = ListNode(Place("--output"), paths)
         _keep(values, mistakes, "output", OutputsKind(OutputKind(None)), outputs)
     if overrides.settings:
-        _keep(values, mistakes, "more settings", fields["set"].kind, _assigned(overrides.settings))
+        assigned = _assigned(overrides.settings, mistakes)
+        _keep(values, mistakes, "more settings", fields["set"].kind, assigned)
     if mistakes:
         raise Refused(*mistakes)
     return values
@@ -238,12 +244,20 @@ def _keep(
         mistakes.extend(refused.mistakes)
 
 
-def _assigned(settings: Sequence[str]) -> MapNode:
-    """Texts such as `body.mass=2` as a mapping; the last one of a name counts."""
+def _assigned(settings: Sequence[str], mistakes: list[Mistake]) -> MapNode:
+    """Texts such as `body.mass=2` as a mapping; the last one of a name counts.
+
+    One without a value is left out and added to the mistakes.
+    """
     entries: dict[str, tuple[ScalarNode, Node]] = {}
+    place = Place("--set")
     for text in settings:
-        name, _, value = text.partition("=")
-        place = Place("--set")
+        name, sign, value = text.partition("=")
+        if not sign:
+            sentence = f"{quote(text)} gives no value"
+            help = "write it as --set name=value"
+            mistakes.append(Mistake(place, "missing-value", sentence, help))
+            continue
         entries[name.strip()] = (
             ScalarNode(place, name.strip(), plain=True),
             ScalarNode(place, value.strip(), plain=True),

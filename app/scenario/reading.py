@@ -38,11 +38,12 @@ _TAB = re.compile(r"^ *\t[ \t]*(?=[^ \t\r\n])", re.MULTILINE)
 
 
 def read(content: bytes, path: str) -> tuple[Node, Sequence[Mistake]]:
-    """The tree of a file's bytes, and keys that were given twice; `path` names it in mistakes.
+    """The tree of a file's bytes, and what may not stand there; `path` names it in mistakes.
 
-    Of a key that was given twice the tree holds the first value, so that the rest can be examined.
-    Raises Refused with all that can be told: too large, not UTF-8, tabs, anchors, aliases, tags,
-    too deep, not YAML, empty.
+    The tree does without what is not allowed, so that the rest can be examined: of a key that was
+    given twice it holds the first value, and tabs, anchors, tags and directives are left out.
+    Raises Refused with all that can be told if there is no tree: too large, not UTF-8, too deep,
+    not YAML, empty, or a mapping that takes its keys from elsewhere.
     """
     if len(content) > LARGEST:
         raise refuse(
@@ -51,9 +52,15 @@ def read(content: bytes, path: str) -> tuple[Node, Sequence[Mistake]]:
             f"the file is larger than {LARGEST} bytes (256 KiB)",
         )
     text = _Text(_decode(content, path), path)
-    text.refuse_odd_parts()
+    odd = text.leave_out_odd_parts()
     builder = _Builder(text)
-    return builder.document(), builder.mistakes
+    try:
+        return builder.document(), [*odd, *builder.mistakes]
+    except Refused as refused:
+        if not odd:
+            raise
+        noted = [m for m in refused.mistakes if m.code != "syntax"]  # they may follow from the odd
+        raise Refused(*odd, *noted) from None
 
 
 def _decode(content: bytes, path: str) -> str:
@@ -92,8 +99,8 @@ class _Text:
         line = bisect_right(self.starts, index) - 1
         return self.place(line, index - self.starts[line], length)
 
-    def refuse_odd_parts(self) -> None:
-        """Raise Refused for what YAML itself has no good sentence for."""
+    def leave_out_odd_parts(self) -> list[Mistake]:
+        """Note what YAML itself has no good sentence for, and put blanks in its place."""
         odd = _UNPRINTABLE.search(self.text)
         if odd is not None:
             raise refuse(
@@ -101,25 +108,20 @@ class _Text:
                 "control-character",
                 f"the character U+{ord(odd[0]):04X} may not stand in a scenario",
             )
+        mistakes = []
         directive = _DIRECTIVE.search(self.text)
         if directive is not None:
-            raise refuse(
-                self.at(directive.start(), len(directive[0])),
-                "directive",
-                "a directive is not allowed",
-                "remove the line; the format is always YAML 1.2",
-            )
-        tabs = [
-            Mistake(
-                self.at(match.end() - len(match[0].lstrip(" "))),
-                "tab",
-                "a tab stands in the indentation",
-                "indent with spaces",
-            )
-            for match in _TAB.finditer(self.text)
-        ]
-        if tabs:
-            raise Refused(*tabs)
+            place = self.at(directive.start(), len(directive[0]))
+            help = "remove the line; the format is always YAML 1.2"
+            mistakes.append(Mistake(place, "directive", "a directive is not allowed", help))
+            line = re.compile(r"^%.*", re.MULTILINE)
+            self.text = line.sub(lambda match: "#" * len(match[0]), self.text)
+        for match in _TAB.finditer(self.text):
+            place = self.at(match.end() - len(match[0].lstrip(" ")))
+            help = "indent with spaces"
+            mistakes.append(Mistake(place, "tab", "a tab stands in the indentation", help))
+        self.text = _TAB.sub(lambda match: match[0].replace("\t", " "), self.text)
+        return mistakes
 
     def no_such_character(self) -> Mistake:
         """The mistake of an escape in double quotes beyond the last character of Unicode."""
@@ -138,6 +140,8 @@ class _Builder:
         self.documents: list[Node] = []
         self.aliases: set[str] = set()
         """Those that were noted already: once each is enough."""
+        self.takes_keys_from_elsewhere = False
+        """Whether a mapping has a merge key, so that nobody knows which keys it lacks."""
 
     def document(self) -> Node:
         try:
@@ -147,7 +151,7 @@ class _Builder:
             raise Refused(*self.mistakes, self.syntax(error)) from None
         except ValueError:
             raise Refused(*self.mistakes, self.text.no_such_character()) from None
-        if any(mistake.code != "duplicate-key" for mistake in self.mistakes):
+        if self.takes_keys_from_elsewhere:
             raise Refused(*self.mistakes)
         root = self.documents[0] if self.documents else None
         if root is None or (isinstance(root, ScalarNode) and root.is_nothing):
@@ -223,6 +227,8 @@ class _Builder:
                 )
             else:
                 entries[key.text] = (key, value)
+        if self.aliases and "<<" in entries:
+            self.takes_keys_from_elsewhere = True
         return MapNode(place, tuple(entries.values()))
 
     def put(self, node: Node) -> None:

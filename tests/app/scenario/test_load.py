@@ -135,6 +135,7 @@ def test_mistakes_of_the_command_line_are_told_with_those_of_the_file():
         ("--fps", 0, "bad-fps"),
         ("--output", 0, "bad-output"),
         ("--seed", 0, "wrong-type"),
+        ("--set", 0, "missing-value"),
         ("--set", 0, "unknown-setting"),
         ("--set", 0, "out-of-range"),
         ("--size", 0, "bad-size"),

@@ -10,9 +10,11 @@ from app.scenario.reading import LARGEST, read
 
 
 def mistakes(content: bytes):
-    with pytest.raises(Refused) as caught:
-        read(content, "f.yaml")
-    return [(m.place.line, m.place.column, m.code) for m in caught.value.mistakes]
+    try:
+        _, told = read(content, "f.yaml")
+    except Refused as refused:
+        told = refused.mistakes
+    return [(m.place.line, m.place.column, m.code) for m in told]
 
 
 def test_every_node_knows_its_place():
@@ -90,6 +92,18 @@ def test_tabs_in_the_indentation_are_all_told():
     assert isinstance(read(b'a: "x\ty"\n\nb: 2 # a\tnote\n', "f.yaml")[0], MapNode)
     assert mistakes(b"a: 1\t# note\n") == [(1, 5, "tab")]
     assert mistakes(b"a:\n\t- 1\n  \t- 2\n") == [(2, 1, "tab"), (3, 3, "tab")]
+
+
+def test_what_stands_beside_them_is_read_all_the_same():
+    root, told = read(b"%YAML 1.1\n---\na: &x 1\nb:\n\t- !!int 2\n", "f.yaml")
+    assert [m.code for m in told] == ["directive", "tab", "anchor", "tag"]
+    assert root.get("a").text == "1"
+    assert root.get("b").items[0].text == "2"
+
+
+def test_keys_taken_from_elsewhere_leave_nothing_to_examine():
+    with pytest.raises(Refused):
+        read(b"a: &x {b: 1}\nc: {<<: *x}\n", "f.yaml")
 
 
 def test_directives_are_refused():
