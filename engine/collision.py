@@ -1,8 +1,10 @@
 """What a step reports."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from engine.tables import Impacts
 from engine.vector import Vector
 
 if TYPE_CHECKING:
@@ -27,6 +29,31 @@ class Collision:
     """Of the pair, 0..1."""
     time: float
     """Of the impact (s, time of the world)."""
+
+
+def read(impacts: Impacts, handles: Sequence["Body"], time: float) -> list[Collision]:
+    """Turn the table of impacts into collisions and empty it.
+
+    Args:
+        impacts: the table.
+        handles: the bodies in order of their rows.
+        time: when the tick began (s).
+    """
+    number = impacts.written[0]
+    impacts.written[0] = 0
+    return [
+        Collision(
+            a=handles[impacts.a[i]],
+            b=handles[impacts.b[i]],
+            point=Vector(impacts.x[i], impacts.y[i]),
+            normal=Vector(impacts.normal_x[i], impacts.normal_y[i]),
+            impulse=Vector(impacts.impulse_x[i], impacts.impulse_y[i]),
+            speed=impacts.speed[i],
+            restitution=impacts.restitution[i],
+            time=time + impacts.time[i],
+        )
+        for i in range(number)
+    ]
 
 
 class Diverged(ArithmeticError):

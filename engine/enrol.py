@@ -5,7 +5,7 @@ from typing import Any
 
 from engine import validate
 from engine.shapes import Particle, Polygon, Shape, Wall
-from engine.tables import Tables, arrays, grow, views
+from engine.tables import Tables, grow, views
 from engine.vector import Vector
 
 HUGE = 1e100
@@ -104,13 +104,3 @@ def _motion(position: Any, angle: Any, velocity: Any, spin: Any) -> dict[str, fl
     turned = validate.finite(0.0 if angle is None else angle, "angle")
     turning = validate.finite(0.0 if spin is None else spin, "spin")
     return {"x": x, "y": y, "vx": vx, "vy": vy, "angle": turned, "spin": turning}
-
-
-def refill(table: Any, columns: tuple[Any, ...]) -> tuple[Any, int]:
-    """Put saved columns back into a table (or a larger one); return it and its number of rows."""
-    rows = len(columns[0])
-    if rows > len(table[0]):
-        table = views(grow(table, 2 * rows))
-    for column, saved in zip(arrays(table), columns, strict=True):
-        column[:rows] = saved
-    return table, rows

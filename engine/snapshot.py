@@ -21,10 +21,8 @@ STATE = (
 class Snapshot:
     """What `World.snapshot` copied; good for `World.restore`, any number of times."""
 
-    tables: tuple[tuple[Any, ...], ...]
-    """Arrays of each table, cut to the rows in use."""
-    numbers: tuple[float, ...]
-    """Counters and clock."""
+    tables: dict[str, tuple[Any, ...]]
+    """Copies of the columns of each table that a world remembers, cut to the rows in use."""
     handles: tuple[Body, ...]
 
 

@@ -260,16 +260,51 @@ class Links(NamedTuple):
     pair: Ints
 
 
+class Counts(NamedTuple):
+    """One row: how many rows are in use of the tables of the same names.
+
+    These tables are what a world remembers; all others are written anew by each step.
+    """
+
+    bodies: Ints
+    corners: Ints
+    pushes: Ints
+    pairs: Ints
+    contacts: Ints
+    """Twice the number of pairs."""
+
+
+class State(NamedTuple):
+    """One row: what a world remembers besides."""
+
+    tick: Ints
+    """Number of steps taken."""
+    base: Floats
+    """Time (s) when the present length of a tick came in use."""
+    ticks: Ints
+    """Number of steps since: the time is base + ticks * dt, so that sixty ticks are 1 s."""
+    dt: Floats
+    """Length of the last tick (s)."""
+    next_body: Ints
+    """Id that the next body gets."""
+    next_push: Ints
+    stale: Ints
+    """1 if the list of pairs is to be made anew, whatever the boxes say."""
+
+
 class Tables(NamedTuple):
-    """All tables that the kernels of a step work on."""
+    """All that varies in a world, and what the kernels of a step write down on the way."""
 
     bodies: Bodies
     corners: Corners
+    pushes: Pushes
     pairs: Pairs
     contacts: Contacts
     links: Links
     touch: Touch
     impacts: Impacts
+    counts: Counts
+    state: State
 
 
 FREE, RESTING, PASSING = 0, 1, 2
@@ -279,8 +314,29 @@ wall from behind."""
 NEVER = 1e300
 """A time that does not come (s)."""
 
+IMPACTS_AT_ONCE = 4096
+"""Rows of the table of impacts; after so many in one tick the kernel pauses to have it emptied."""
+
+ROWS = {
+    "bodies": 16,
+    "corners": 64,
+    "pushes": 8,
+    "pairs": 64,
+    "contacts": 128,
+    "touch": 2,
+    "impacts": IMPACTS_AT_ONCE,
+}
+"""Rows that the tables of a new world have room for; those that are not named have one."""
 
 Table = TypeVar("Table", bound=tuple[Any, ...])
+
+
+def new_tables() -> Tables:
+    """Make the tables of an empty world."""
+    kinds = get_type_hints(Tables)
+    return Tables(
+        **{name: views(allocate(kinds[name], ROWS.get(name, 1))) for name in Tables._fields}
+    )
 
 
 def allocate(table: type[Table], rows: int) -> Table:

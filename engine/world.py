@@ -4,41 +4,21 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
-import numpy as np
-
-from engine import snapshot as snapshots
-from engine import validate
+from engine import callbacks, collision, validate
 from engine.body import Body, OnCollision, OnMove
 from engine.collision import Collision, Diverged, Removed
-from engine.enrol import initial_values, refill, write_body
+from engine.enrol import initial_values
 from engine.forces import Drag, Push
 from engine.jit import choose
-from engine.pairing import as_arrays, forget, link, pair_up, resting_columns
+from engine.pairing import as_arrays, pair_up
 from engine.settings import TICK, Rule, geometric_mean, larger, laws
 from engine.shapes import Shape
 from engine.snapshot import Snapshot
-from engine.tables import (
-    Bodies,
-    Contacts,
-    Corners,
-    Impacts,
-    Links,
-    Pairs,
-    Pushes,
-    Tables,
-    Touch,
-    allocate,
-    arrays,
-    grow,
-    remove_row,
-    views,
-)
+from engine.store import Store
+from engine.tables import Bodies, Tables
 from engine.tick import SOUND
 from engine.travel import ESCAPED
 from engine.vector import Vector
-
-IMPACTS_AT_ONCE = 4096
-"""Rows of the table of impacts; after so many in one tick the kernel pauses to have it emptied."""
 
 
 class World:
@@ -69,30 +49,10 @@ class World:
         self.laws = laws(gravity, drag, integrator, substeps)
         self.restitution_rule = restitution_rule or larger
         self.friction_rule = friction_rule or geometric_mean
-        self.tick = 0
-        """Number of steps taken."""
-        self._count = 0
-        self._corner_count = 0
-        self._push_count = 0
-        self._next_body = 1
-        self._next_push = 1
-        self._clock = (0.0, 0, 0.0)  # time = base + ticks * dt, so that sixty ticks are 1 s
-        self._handles: dict[int, Body] = {}
-        self._rows: dict[int, int] = {}
+        self.store = Store()
+        """All that varies."""
         self._kernels = choose(kernels)
-        self._stale = True
-        self._pair_count = 0
-        self.tables = Tables(
-            bodies=views(allocate(Bodies, 16)),
-            corners=views(allocate(Corners, 64)),
-            pairs=views(allocate(Pairs, 64)),
-            contacts=views(allocate(Contacts, 128)),
-            links=views(allocate(Links, 1)),
-            touch=views(allocate(Touch, 2)),
-            impacts=views(allocate(Impacts, IMPACTS_AT_ONCE)),
-        )
-        self.pushes = views(allocate(Pushes, 8))
-        self._arrays_of = self._arrays = self.tables
+        self._arrays_of = self._arrays = self.store.tables
 
     def step(self, dt: float = TICK) -> list[Collision]:
         """Advance by `dt` seconds; return the collisions that happened, in order of time.
@@ -103,14 +63,14 @@ class World:
             Diverged: when a body left the range of numbers; the world is then of no more use.
         """
         dt = validate.positive(dt, "dt")
-        watched = self._where_callbacks_look()
+        poses = callbacks.poses(self.store.handles)
         pairs_hold = self._accelerate(dt)
         if not pairs_hold:
             self._find_pairs(dt)
         collisions = self._move(dt)
         self._end_pushes()
-        self._tell_time(dt)
-        self._call_back(watched, collisions)
+        self.store.tell_time(dt)
+        callbacks.call(poses, collisions, self.store)
         return collisions
 
     def add(
@@ -140,48 +100,26 @@ class World:
         given |= {"spin": spin, "inertia": inertia}
         given |= {"restitution": restitution, "friction": friction}
         values = initial_values(shape, given)
-        id = self._next_body
-        self._next_body += 1
+        id = self.store.new_id("body")
         kind = type(shape).__name__.lower()
         body = Body(self, id, shape, f"{kind} {id}" if name is None else str(name))
         body.on_move, body.on_collision = on_move, on_collision
-        self.tables, self._corner_count = write_body(
-            self.tables, shape, id, self._count, self._corner_count, values
-        )
-        self._handles[id] = body
-        self._rows[id] = self._count
-        self._count += 1
+        self.store.add_body(body, shape, values)
         self.displaced()
         return body
 
     def remove(self, body: Body) -> None:
         """Take a body, with all that pushes it, out of the world; its handle is then refused."""
-        row = self.row(body)
-        for i in reversed(range(self._push_count)):
-            if self.pushes.row[i] == row:
-                self._drop_push(i)
-        rows = np.asarray(self.pushes.row)[: self._push_count]
-        rows[rows > row] -= 1
-        first, corners = self.bodies.first[row], self.bodies.corners[row]
-        for _ in range(corners):
-            remove_row(self.tables.corners, first, self._corner_count)
-            self._corner_count -= 1
-        remove_row(self.bodies, row, self._count)
-        self._pair_count = forget(self.tables, self._pair_count, row)
-        self._count -= 1
-        np.asarray(self.bodies.first)[row : self._count] -= corners
-        del self._handles[body.id]
-        self._rows = {id: i for i, id in enumerate(self._handles)}
-        np.asarray(self.bodies.order)[: self._count] = np.arange(self._count)
+        self.store.remove_body(body)
         self.displaced()
 
     def __iter__(self) -> Iterator[Body]:
         """The bodies, walls too, in the order of their ids."""
-        return iter(list(self._handles.values()))
+        return iter(list(self.store.handles))
 
     def __len__(self) -> int:
         """Number of bodies, walls too."""
-        return len(self._handles)
+        return len(self.store.handles)
 
     def body(self, id: int) -> Body:
         """The body with this id.
@@ -189,20 +127,29 @@ class World:
         Raises:
             Removed: (a LookupError) if there is none.
         """
-        if id not in self._handles:
+        if id not in self.store.rows:
             raise Removed(f"there is no body {id} in this world")
-        return self._handles[id]
+        return self.store.handles[self.store.rows[id]]
+
+    @property
+    def tables(self) -> Tables:
+        """All tables."""
+        return self.store.tables
 
     @property
     def bodies(self) -> Bodies:
         """Table of the bodies, a row each in the order of ids; what `Body` reads and writes."""
-        return self.tables.bodies
+        return self.store.tables.bodies
+
+    @property
+    def tick(self) -> int:
+        """Number of steps taken."""
+        return self.store.tables.state.tick[0]
 
     @property
     def time(self) -> float:
         """Since the world began (s)."""
-        base, ticks, dt = self._clock
-        return base + ticks * dt
+        return self.store.time
 
     @property
     def gravity(self) -> Vector:
@@ -241,12 +188,7 @@ class World:
 
     def snapshot(self) -> Snapshot:
         """Copy all that varies; `restore` brings it back bit for bit."""
-        t, pairs = self.tables, self._pair_count
-        used: list[tuple[Any, int]] = [(t.bodies, self._count), (t.corners, self._corner_count)]
-        used += [(t.pairs, pairs), (t.contacts, 2 * pairs), (self.pushes, self._push_count)]
-        tables = tuple(tuple(column[:n].copy() for column in arrays(t)) for t, n in used)
-        numbers = (self.tick, *self._clock, self._next_body, self._next_push, self._stale)
-        return Snapshot(tables, numbers, tuple(self._handles.values()))
+        return self.store.snapshot()
 
     def restore(self, snapshot: Snapshot) -> None:
         """Go back to a snapshot of this world; bodies added since are gone, removed ones return."""
@@ -254,34 +196,11 @@ class World:
             raise TypeError(f"only a Snapshot can be restored, not {snapshot!r}")
         if any(body._world is not self for body in snapshot.handles):
             raise ValueError("the snapshot is of another world")
-        bodies, corners, pairs, contacts, pushes = snapshot.tables
-        new_bodies, self._count = refill(self.bodies, bodies)
-        new_corners, self._corner_count = refill(self.tables.corners, corners)
-        new_pairs, self._pair_count = refill(self.tables.pairs, pairs)
-        new_contacts, _ = refill(self.tables.contacts, contacts)
-        self.tables = self.tables._replace(
-            bodies=new_bodies, corners=new_corners, pairs=new_pairs, contacts=new_contacts
-        )
-        self.pushes, self._push_count = refill(self.pushes, pushes)
-        self.tables = link(self.tables, self._count, self._pair_count)
-        tick, base, ticks, dt, next_body, next_push, stale = snapshot.numbers
-        self.tick, self._clock = int(tick), (base, int(ticks), dt)
-        self._next_body, self._next_push = int(next_body), int(next_push)
-        self._stale = bool(stale)
-        self._handles = {body.id: body for body in snapshot.handles}
-        self._rows = {id: i for i, id in enumerate(self._handles)}
+        self.store.restore(snapshot)
 
     def digest(self) -> str:
         """Hash of the state (SHA-256, hexadecimal): equal for equal worlds on any machine."""
-        clock = (float(self.tick), self.time)
-        return snapshots.digest(
-            self.bodies,
-            self._count,
-            self.pushes,
-            self._push_count,
-            clock,
-            resting_columns(self.tables, self._pair_count),
-        )
+        return self.store.digest()
 
     # What the handles ask for.
 
@@ -291,75 +210,66 @@ class World:
         Raises:
             Removed: (a LookupError) if it is no longer in this world.
         """
-        row = self._rows.get(body.id)
-        if row is None or body._world is not self or self._handles[body.id] is not body:
-            raise Removed(f"{body.name} is not in this world")
-        return row
+        return self.store.row(body)
 
     def push(self, body: Body, x: float, y: float, torque: float, at: Vector, lasts: float) -> Push:
         """Let a force (N) or torque (N m) act; see `Body.exert`."""
-        if self._push_count == len(self.pushes.id):
-            self.pushes = views(grow(self.pushes, 2 * self._push_count))
-        id = self._next_push
-        self._next_push += 1
-        values = (id, self.row(body), x, y, torque, at.x, at.y, lasts)
-        columns: tuple[Any, ...] = self.pushes
-        for column, value in zip(columns, values, strict=True):
-            column[self._push_count] = value
-        self._push_count += 1
+        id = self.store.new_id("push")
+        row = self.row(body)
+        self.store.append("pushes", (id, row, x, y, torque, at.x, at.y, lasts))
         return Push(self, id)
 
     def is_acting(self, push: int) -> bool:
         """Whether the push with this id still acts."""
-        return any(self.pushes.id[i] == push for i in range(self._push_count))
+        return self._row_of_push(push) is not None
 
     def stop(self, push: int) -> None:
         """End the push with this id, if it still acts."""
-        for i in range(self._push_count):
-            if self.pushes.id[i] == push:
-                self._drop_push(i)
-                return
+        row = self._row_of_push(push)
+        if row is not None:
+            self.store.drop("pushes", row)
+
+    def _row_of_push(self, push: int) -> int | None:
+        ids = self.tables.pushes.id
+        return next((i for i in range(self.store.count("pushes")) if ids[i] == push), None)
 
     def displaced(self) -> None:
         """Take note that a body was moved by hand, or its material changed."""
-        self._stale = True
+        self.tables.state.stale[0] = 1
 
     # The parts of a step.
 
     def _accelerate(self, dt: float) -> bool:
         """Let forces act for a tick; return whether the list of pairs holds."""
-        pushes: Any = self.pushes
-        if self._kernels.compiled:
-            pushes = Pushes(*arrays(pushes))
+        t, pushing = self._seen(), self.store.count("pushes")
         lost, pairs_hold = self._kernels.start(
-            self._seen(), self._count, pushes, self._push_count, self.laws, dt
+            t, len(self.store.handles), t.pushes, pushing, self.laws, dt
         )
         self._refuse_divergence(lost)
-        return pairs_hold and not self._stale
+        return pairs_hold and not self.tables.state.stale[0]
 
     def _find_pairs(self, dt: float) -> None:
         """List the pairs that may touch in this tick."""
         rules = (self.restitution_rule, self.friction_rule)
-        self.tables, self._pair_count = pair_up(
-            self.tables, self._count, self._pair_count, dt, rules, self._kernels
-        )
-        self._stale = False
+        count, pairs = len(self.store.handles), self.store.count("pairs")
+        self.store.use_pairs(*pair_up(self.tables, count, pairs, dt, rules, self._kernels))
 
     def _move(self, dt: float) -> list[Collision]:
         """Move all bodies through the tick, along their paths and from impact to impact."""
         collisions: list[Collision] = []
-        substep, limit = dt / self.laws.substeps, 1000 + 50 * self._count
+        count = len(self.store.handles)
+        substep, limit = dt / self.laws.substeps, 1000 + 50 * count
         self.tables.impacts.written[1] = -1
         now = 0.0
         while now < dt:
             status, now = self._kernels.go(
-                self._seen(), self._count, self._pair_count, now, dt, substep, limit
+                self._seen(), count, self.store.count("pairs"), now, dt, substep, limit
             )
-            collisions += self._reported()
+            collisions += collision.read(self.tables.impacts, self.store.handles, self.time)
             if status == ESCAPED:
                 self._find_pairs(dt)
         self._refuse_divergence(
-            self._kernels.finish(self._seen(), self._count, self._pair_count, self.laws, dt)
+            self._kernels.finish(self._seen(), count, self.store.count("pairs"), self.laws, dt)
         )
         return collisions
 
@@ -371,56 +281,13 @@ class World:
             self._arrays_of, self._arrays = self.tables, as_arrays(self.tables)
         return self._arrays
 
-    def _reported(self) -> list[Collision]:
-        """Turn the table of impacts into collisions and empty it."""
-        impacts, handles = self.tables.impacts, list(self._handles.values())
-        number = impacts.written[0]
-        impacts.written[0] = 0
-        return [
-            Collision(
-                a=handles[impacts.a[i]],
-                b=handles[impacts.b[i]],
-                point=Vector(impacts.x[i], impacts.y[i]),
-                normal=Vector(impacts.normal_x[i], impacts.normal_y[i]),
-                impulse=Vector(impacts.impulse_x[i], impacts.impulse_y[i]),
-                speed=impacts.speed[i],
-                restitution=impacts.restitution[i],
-                time=self.time + impacts.time[i],
-            )
-            for i in range(number)
-        ]
-
     def _end_pushes(self) -> None:
-        for i in reversed(range(self._push_count)):
-            if self.pushes.left[i] <= 0.0:
-                self._drop_push(i)
-
-    def _drop_push(self, i: int) -> None:
-        remove_row(self.pushes, i, self._push_count)
-        self._push_count -= 1
-
-    def _tell_time(self, dt: float) -> None:
-        base, ticks, last = self._clock
-        self.tick += 1
-        self._clock = (base, ticks + 1, dt) if dt == last else (self.time, 1, dt)
+        left = self.tables.pushes.left
+        for i in reversed(range(self.store.count("pushes"))):
+            if left[i] <= 0.0:
+                self.store.drop("pushes", i)
 
     def _refuse_divergence(self, row: int) -> None:
         if row != SOUND:
-            body = list(self._handles.values())[row]
+            body = self.store.handles[row]
             raise Diverged(f"{body.name} left the range of numbers in tick {self.tick}")
-
-    def _where_callbacks_look(self) -> list[tuple[Body, Vector, float]]:
-        listeners = [body for body in self._handles.values() if body.on_move is not None]
-        return [(body, body.position, body.angle) for body in listeners]
-
-    def _call_back(
-        self, before: list[tuple[Body, Vector, float]], collisions: list[Collision]
-    ) -> None:
-        for body, position, angle in before:
-            moved = body.id in self._handles and (body.position, body.angle) != (position, angle)
-            if moved and body.on_move is not None:
-                body.on_move(body)
-        for collision in collisions:
-            for body in (collision.a, collision.b):
-                if body.id in self._handles and body.on_collision is not None:
-                    body.on_collision(body, collision)

@@ -1,0 +1,178 @@
+"""Everything that varies in a world, in one place: its tables, and who holds which row."""
+
+from typing import Any
+
+import numpy as np
+
+from engine import snapshot as snapshots
+from engine.body import Body
+from engine.collision import Removed
+from engine.enrol import write_body
+from engine.pairing import forget, link, resting_columns
+from engine.shapes import Shape
+from engine.snapshot import Snapshot
+from engine.tables import Counts, Tables, arrays, grow, new_tables, remove_row, views
+
+
+class Store:
+    """The tables of a world and the handles of its bodies.
+
+    A table named in `Counts` keeps what its rows in use hold: such tables grow, lose rows, are
+    saved and restored. The others are room for the kernels to write in.
+    """
+
+    __slots__ = ("handles", "rows", "tables")
+
+    def __init__(self) -> None:
+        """Make an empty one."""
+        self.tables: Tables = new_tables()
+        self.handles: list[Body] = []
+        """The bodies in order of their rows, which is that of their ids."""
+        self.rows: dict[int, int] = {}
+        """Row of each body's id."""
+        self.tables.state.next_body[0] = self.tables.state.next_push[0] = 1
+
+    def count(self, table: str) -> int:
+        """Number of rows in use."""
+        return int(getattr(self.tables.counts, table)[0])
+
+    def make_room(self, table: str, rows: int) -> None:
+        """Let a table have room for so many rows at least."""
+        old = getattr(self.tables, table)
+        room = len(old[0])
+        if rows > room:
+            while room < rows:
+                room *= 2
+            self.tables = self.tables._replace(**{table: views(grow(old, room))})
+
+    def append(self, table: str, values: tuple[float, ...]) -> int:
+        """Write a row after the last one, its values in the order of the columns; return it."""
+        row = self.count(table)
+        self.make_room(table, row + 1)
+        for column, value in zip(getattr(self.tables, table), values, strict=True):
+            column[row] = value
+        getattr(self.tables.counts, table)[0] = row + 1
+        return row
+
+    def drop(self, table: str, row: int) -> None:
+        """Remove a row; those after it move up."""
+        rows = self.count(table)
+        remove_row(getattr(self.tables, table), row, rows)
+        getattr(self.tables.counts, table)[0] = rows - 1
+
+    def new_id(self, kind: str) -> int:
+        """Hand out the next id of a "body" or a "push"; none is used twice."""
+        following = getattr(self.tables.state, f"next_{kind}")
+        id: int = following[0]
+        following[0] = id + 1
+        return id
+
+    # Bodies.
+
+    def holds(self, body: Body) -> bool:
+        """Whether this body is in the world."""
+        row = self.rows.get(body.id)
+        return row is not None and self.handles[row] is body
+
+    def row(self, body: Body) -> int:
+        """Row of a body.
+
+        Raises:
+            Removed: (a LookupError) if it is not, or no longer, in this world.
+        """
+        row = self.rows.get(body.id)
+        if row is None or self.handles[row] is not body:
+            raise Removed(f"{body.name} is not in this world")
+        return row
+
+    def add_body(self, body: Body, shape: Shape, values: dict[str, float]) -> None:
+        """Write a new body, the columns that were given for it and its shape, to a new row."""
+        row, corner = self.count("bodies"), self.count("corners")
+        self.tables, corner = write_body(self.tables, shape, body.id, row, corner, values)
+        counts = self.tables.counts
+        counts.bodies[0], counts.corners[0] = row + 1, corner
+        self.handles.append(body)
+        self.rows[body.id] = row
+
+    def remove_body(self, body: Body) -> None:
+        """Take out a body with its corners, its pairs and all that pushes it."""
+        row = self.row(body)
+        for i in reversed(range(self.count("pushes"))):
+            if self.tables.pushes.row[i] == row:
+                self.drop("pushes", i)
+        close_gap(self.tables.pushes.row, self.count("pushes"), row, 1)
+        first, corners = self.tables.bodies.first[row], self.tables.bodies.corners[row]
+        for _ in range(corners):
+            self.drop("corners", first)
+        self.drop("bodies", row)
+        close_gap(self.tables.bodies.first, self.count("bodies"), first, corners)
+        self._count_pairs(forget(self.tables, self.count("pairs"), row))
+        del self.handles[row]
+        self.rows = {handle.id: i for i, handle in enumerate(self.handles)}
+        np.asarray(self.tables.bodies.order)[: len(self.handles)] = np.arange(len(self.handles))
+
+    def use_pairs(self, tables: Tables, pairs: int) -> None:
+        """Take over a new list of pairs."""
+        self.tables = tables
+        self._count_pairs(pairs)
+        self.tables.state.stale[0] = 0
+
+    def _count_pairs(self, pairs: int) -> None:
+        self.tables.counts.pairs[0] = pairs
+        self.tables.counts.contacts[0] = 2 * pairs
+
+    # The whole.
+
+    def snapshot(self) -> Snapshot:
+        """Copy all that varies."""
+        used = {name: self.count(name) for name in Counts._fields} | {"counts": 1, "state": 1}
+        columns = {
+            name: tuple(column[:rows].copy() for column in arrays(getattr(self.tables, name)))
+            for name, rows in used.items()
+        }
+        return Snapshot(columns, tuple(self.handles))
+
+    def restore(self, snapshot: Snapshot) -> None:
+        """Go back to what a snapshot holds."""
+        for name, saved in snapshot.tables.items():
+            rows = len(saved[0])
+            self.make_room(name, rows)
+            for column, values in zip(arrays(getattr(self.tables, name)), saved, strict=True):
+                column[:rows] = values
+        self.tables = link(self.tables, self.count("bodies"), self.count("pairs"))
+        self.handles = list(snapshot.handles)
+        self.rows = {handle.id: i for i, handle in enumerate(self.handles)}
+
+    def digest(self) -> str:
+        """Hash of the state (SHA-256, hexadecimal): equal for equal worlds on any machine."""
+        state = self.tables.state
+        return snapshots.digest(
+            self.tables.bodies,
+            self.count("bodies"),
+            self.tables.pushes,
+            self.count("pushes"),
+            (float(state.tick[0]), self.time),
+            resting_columns(self.tables, self.count("pairs")),
+        )
+
+    # The clock.
+
+    @property
+    def time(self) -> float:
+        """Since the world began (s)."""
+        state = self.tables.state
+        return state.base[0] + state.ticks[0] * state.dt[0]
+
+    def tell_time(self, dt: float) -> None:
+        """Let the clock tick (s)."""
+        state = self.tables.state
+        if dt != state.dt[0]:
+            state.base[0], state.ticks[0], state.dt[0] = self.time, 0, dt
+        state.tick[0] += 1
+        state.ticks[0] += 1
+
+
+def close_gap(column: Any, rows: int, start: int, length: int) -> None:
+    """Let row numbers in a column follow rows that moved up, as `length` rows from `start` left."""
+    numbers = np.asarray(column)[:rows]
+    numbers[numbers > start] -= length
