@@ -4,13 +4,14 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
-from engine import callbacks, collision, validate
+from engine import callbacks, collision, portable, validate
 from engine.body import Body, OnCollision, OnMove
 from engine.collision import Collision, Diverged, Removed
 from engine.enrol import initial_values
 from engine.forces import Drag, Push
 from engine.jit import choose
 from engine.pairing import as_arrays, pair_up
+from engine.plain import Functions
 from engine.settings import TICK, Rule, geometric_mean, larger, laws
 from engine.shapes import Shape
 from engine.snapshot import Snapshot
@@ -197,6 +198,34 @@ class World:
         if any(body._world is not self for body in snapshot.handles):
             raise ValueError("the snapshot is of another world")
         self.store.restore(snapshot)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Say all that varies as plain data that JSON can hold; `from_dict` makes a world of it.
+
+        The two go on bit for bit alike, in other processes and on other machines too. Functions
+        that bodies call back are not saved; other functions (rules) are, by their names.
+        """
+        return portable.to_dict(self)
+
+    @classmethod
+    def from_dict(
+        cls, data: dict[str, Any], functions: Functions | None = None, kernels: str = "auto"
+    ) -> "World":
+        """Make the world that `to_dict` saved.
+
+        Args:
+            data: what `to_dict` returned, or what JSON made of it.
+            functions: the Python functions that the world uses, by the names under which they were
+                saved: `{"lesson.rule": rule}`.
+            kernels: as for a new world.
+
+        Raises:
+            TypeError, ValueError: in one sentence, for data of another version or damaged data.
+            LookupError: for a function that is missing.
+        """
+        world = cls(kernels=kernels)
+        portable.refill(world, data, functions or {})
+        return world
 
     def digest(self) -> str:
         """Hash of the state (SHA-256, hexadecimal): equal for equal worlds on any machine."""

@@ -1,0 +1,225 @@
+"""A world as plain data, to be kept as JSON, sent to another process and continued there.
+
+All columns of all tables are saved, the impulses of resting contacts too, so that the loaded world
+goes on bit for bit. JSON writes a float in the shortest way that reads back as the same float.
+"""
+
+import math
+from typing import TYPE_CHECKING, Any, get_args, get_type_hints
+
+import numpy as np
+
+from engine.body import Body
+from engine.forces import Force, LinearDrag, QuadraticDrag, Torque
+from engine.plain import INFINITIES, Decoder, Functions, encode
+from engine.settings import INTEGRATORS, Laws, geometric_mean, larger
+from engine.shapes import Shape
+from engine.snapshot import Snapshot
+from engine.tables import Counts, Tables, allocate, arrays
+
+if TYPE_CHECKING:
+    from engine.world import World
+
+FORMAT = 1
+"""Version of the data; other versions are refused."""
+
+KINDS = (*get_args(Shape), Force, Torque, LinearDrag, QuadraticDrag)
+"""Dataclasses that may stand in saved data."""
+
+TABLES: dict[str, Any] = {
+    name: kind for name, kind in get_type_hints(Tables).items() if name in (*Counts._fields, "state")
+}
+"""What is saved; how many rows a table has says itself."""
+
+ROWS_OF = {
+    "bodies.first": "corners",
+    "bodies.order": "bodies",
+    "pairs.a": "bodies",
+    "pairs.b": "bodies",
+    "pushes.row": "bodies",
+}
+"""Columns that hold rows of another table, which kernels trust."""
+
+AT_MOST = {"pairs.points": 2, "pairs.state": 2, "pairs.queued": 1, "bodies.one_sided": 1,
+ "state.stale": 1}
+"""Largest value of columns that hold a choice or a small number."""
+
+COUNTS = ("bodies.id", "bodies.held", "bodies.corners", "pushes.id", "contacts.feature", "state.tick", "state.ticks", "state.next_body", "state.next_push")
+"""Columns of other whole numbers, none negative."""
+
+DERIVED = ("bodies.first_link", "bodies.links", "pairs.queue", "pairs.resting")
+"""Columns that are made anew before they are read: they are not saved."""
+
+NOT_NEGATIVE = ("mass", "inverse_mass", "inertia", "inverse_inertia", "restitution", "friction")
+"""Columns of `Bodies`."""
+
+RULES = {"restitution_rule": larger, "friction_rule": geometric_mean}
+"""What makes the coefficients of a pair, unless told otherwise."""
+
+KEYS = ("format", "laws", "rules", "handles", "tables")
+
+
+def to_dict(world: "World") -> dict[str, Any]:
+    """Say all that varies in a world as plain data."""
+    saved = world.snapshot()
+    own = {name: getattr(world, name) for name in RULES}
+    return {
+        "format": FORMAT,
+        "laws": world.laws._asdict(),
+        "rules": {name: None if own[name] is RULES[name] else encode(own[name]) for name in RULES},
+        "handles": [
+            {"id": body.id, "name": body.name, "shape": encode(body.shape)}
+            for body in saved.handles
+        ],
+        "tables": {
+            name: {
+                field: _listed(values)
+                for field, values in zip(kind._fields, saved.tables[name], strict=True)
+                if f"{name}.{field}" not in DERIVED
+            }
+            for name, kind in TABLES.items()
+        },
+    }
+
+
+def refill(world: "World", data: dict[str, Any], functions: Functions) -> None:
+    """Make a new, empty world what `to_dict` said.
+
+    Raises:
+        TypeError, ValueError: in one sentence, for data of another version or that `to_dict` would
+            not have made.
+        LookupError: for a function that is not among `functions`.
+    """
+    _check_keys(data, KEYS, "a saved world")
+    if data["format"] != FORMAT or isinstance(data["format"], bool):
+        raise ValueError(f"a saved world must have the format {FORMAT}, not {data['format']!r}")
+    decode = Decoder(KINDS, functions)
+    _check_keys(data["rules"], tuple(RULES), "the rules of a saved world")
+    for name, usual in RULES.items():
+        rule = data["rules"][name]
+        setattr(world, name, usual if rule is None else decode(rule))
+    world.laws = _laws(data["laws"])
+    _check_keys(data["tables"], tuple(TABLES), "the tables of a saved world")
+    tables = {name: _table(name, data["tables"][name]) for name in TABLES}
+    _check_rows(tables)
+    handles = tuple(_handle(world, each, decode) for each in _list(data["handles"], "handles"))
+    if [body.id for body in handles] != list(tables["bodies"].id):
+        raise ValueError("the handles of a saved world must have the ids of its bodies, in order")
+    counts = tuple(np.array([len(tables[name][0])]) for name in Counts._fields)
+    columns = {name: arrays(table) for name, table in tables.items()}
+    world.restore(Snapshot(columns | {"counts": counts}, handles))
+
+
+def _check_keys(data: Any, keys: tuple[str, ...], what: str) -> None:
+    if not isinstance(data, dict):
+        raise TypeError(f"{what} must be a dictionary, not {data!r:.50}")
+    for key in keys:
+        if key not in data:
+            raise ValueError(f"{what} must have {key!r}")
+    for key in data:
+        if key not in keys:
+            raise ValueError(f"{what} has no {key!r}")
+
+
+def _list(data: Any, name: str) -> list[Any]:
+    if not isinstance(data, list):
+        raise TypeError(f"{name} of a saved world must be a list, not {data!r:.50}")
+    return data
+
+
+def _listed(values: Any) -> list[Any]:
+    """A column as a list, infinities spelt out."""
+    listed: list[Any] = values.tolist()
+    if values.dtype.kind == "f" and not np.isfinite(values).all():
+        if np.isnan(values).any():
+            raise ValueError("a world with a number that is none (NaN) cannot be saved")
+        listed = [x if math.isfinite(x) else ("inf" if x > 0.0 else "-inf") for x in listed]
+    return listed
+
+
+def _laws(data: Any) -> Laws:
+    _check_keys(data, Laws._fields, "the laws of a saved world")
+    whole = ("integrator", "substeps")
+    values = {name: _number(f"laws.{name}", data[name], name in whole) for name in Laws._fields}
+    laws = Laws(**values)
+    if not (0 <= laws.integrator < len(INTEGRATORS) and laws.substeps >= 1):
+        raise ValueError(f"no world has integrator {laws.integrator}, {laws.substeps} substeps")
+    if not (laws.linear_drag >= 0.0 and laws.quadratic_drag >= 0.0):
+        raise ValueError("the drag of a saved world must not be negative")
+    return laws
+
+
+def _number(name: str, value: Any, whole: bool) -> Any:
+    """Check a finite number."""
+    kinds = int if whole else int | float
+    if isinstance(value, bool) or not isinstance(value, kinds):
+        raise TypeError(f"{name} of a saved world must be a number, not {value!r:.50}")
+    if not math.isfinite(value):
+        raise ValueError(f"{name} of a saved world must be finite, not {value}")
+    return value if whole else float(value)
+
+
+def _handle(world: "World", data: Any, decode: Decoder) -> Body:
+    _check_keys(data, ("id", "name", "shape"), "a handle of a saved world")
+    id, name, shape = data["id"], data["name"], decode(data["shape"])
+    if not isinstance(name, str) or not isinstance(shape, Shape):
+        raise TypeError(f"a saved body must have a name and a shape, not {name!r} and {shape!r}")
+    return Body(world, _number("id", id, True), shape, name)
+
+
+def _table(name: str, data: Any) -> Any:
+    """The arrays of a table, all of one length."""
+    kind = TABLES[name]
+    saved = tuple(field for field in kind._fields if f"{name}.{field}" not in DERIVED)
+    _check_keys(data, saved, f"the table {name} of a saved world")
+    rows = len(_list(data[saved[0]], f"{name}.{saved[0]}"))
+    table = allocate(kind, rows)
+    for field in saved:
+        where, listed = f"{name}.{field}", _list(data[field], f"{name}.{field}")
+        if len(listed) != rows:
+            raise ValueError(f"{where} of a saved world must have {rows} rows, not {len(listed)}")
+        column = np.asarray(getattr(table, field))
+        column[:] = [_cell(where, value, column.dtype.kind == "i") for value in listed]
+    return table
+
+
+def _cell(where: str, value: Any, whole: bool) -> Any:
+    """Check one value of a column."""
+    if not whole and isinstance(value, str) and value in INFINITIES:
+        return INFINITIES[value]
+    number = _number(where, value, whole)
+    if whole and not 0 <= number < 2**62:
+        raise ValueError(f"{where} of a saved world cannot be {number}")
+    return number
+
+
+def _check_rows(tables: dict[str, Any]) -> None:
+    """Refuse rows that are not there: kernels trust them."""
+
+    def column(where: str) -> Any:
+        table, field = where.split(".")
+        return getattr(tables[table], field)
+
+    rows = {name: len(table[0]) for name, table in tables.items()}
+    limits = {where: rows[of] - 1 for where, of in ROWS_OF.items()} | AT_MOST
+    for where, most in limits.items():
+        if (column(where) > most).any():
+            raise ValueError(f"{where} of a saved world must be at most {most}")
+    bodies, pairs = tables["bodies"], tables["pairs"]
+    ends = bodies.first + bodies.corners
+    if (ends > rows["corners"]).any() or (bodies.corners < 1).any():
+        raise ValueError("the bodies of a saved world must have corners that are there")
+    if rows["contacts"] != 2 * rows["pairs"] or (pairs.a >= pairs.b).any():
+        raise ValueError("a saved world must have two contacts a pair, and pairs of two bodies")
+    for name in NOT_NEGATIVE:
+        if (getattr(bodies, name) < 0.0).any():
+            raise ValueError(f"bodies.{name} of a saved world must not be negative")
+    state = tables["state"]
+    if rows["state"] != 1 or state.dt[0] < 0.0 or state.base[0] < 0.0:
+        raise ValueError("a saved world must have one row of state, and its times not negative")
+    for kind, ids in (("body", bodies.id), ("push", tables["pushes"].id)):
+        following = getattr(state, f"next_{kind}")[0]
+        if len(ids) and ids[-1] >= following:
+            raise ValueError(f"next_{kind} of a saved world must be beyond {ids[-1]}")
+    if (np.diff(bodies.id) <= 0).any() or (np.diff(pairs.a << 32 | pairs.b) <= 0).any():
+        raise ValueError("the bodies and pairs of a saved world must stand in order, none twice")
