@@ -27,7 +27,9 @@ KINDS = (*get_args(Shape), Force, Torque, LinearDrag, QuadraticDrag)
 """Dataclasses that may stand in saved data."""
 
 TABLES: dict[str, Any] = {
-    name: kind for name, kind in get_type_hints(Tables).items() if name in (*Counts._fields, "state")
+    name: kind
+    for name, kind in get_type_hints(Tables).items()
+    if name in (*Counts._fields, "state")
 }
 """What is saved; how many rows a table has says itself."""
 
@@ -40,11 +42,26 @@ ROWS_OF = {
 }
 """Columns that hold rows of another table, which kernels trust."""
 
-AT_MOST = {"pairs.points": 2, "pairs.state": 2, "pairs.queued": 1, "bodies.one_sided": 1,
- "state.stale": 1}
+AT_MOST = {
+    "pairs.points": 2,
+    "pairs.state": 2,
+    "pairs.queued": 1,
+    "bodies.one_sided": 1,
+    "state.stale": 1,
+}
 """Largest value of columns that hold a choice or a small number."""
 
-COUNTS = ("bodies.id", "bodies.held", "bodies.corners", "pushes.id", "contacts.feature", "state.tick", "state.ticks", "state.next_body", "state.next_push")
+COUNTS = (
+    "bodies.id",
+    "bodies.held",
+    "bodies.corners",
+    "pushes.id",
+    "contacts.feature",
+    "state.tick",
+    "state.ticks",
+    "state.next_body",
+    "state.next_push",
+)
 """Columns of other whole numbers, none negative."""
 
 DERIVED = ("bodies.first_link", "bodies.links", "pairs.queue", "pairs.resting")
