@@ -3,6 +3,8 @@
 from engine.body import Body
 from engine.collision import Collision, Diverged, Removed
 from engine.forces import Force, LinearDrag, Push, QuadraticDrag, Torque
+from engine.recording import Recording
+from engine.replay import Divergence, replay
 from engine.settings import TICK
 from engine.shapes import Circle, Particle, Polygon, Shape, Wall
 from engine.snapshot import Snapshot
@@ -15,12 +17,14 @@ __all__ = [
     "Circle",
     "Collision",
     "Diverged",
+    "Divergence",
     "Force",
     "LinearDrag",
     "Particle",
     "Polygon",
     "Push",
     "QuadraticDrag",
+    "Recording",
     "Removed",
     "Shape",
     "Snapshot",
@@ -28,4 +32,5 @@ __all__ = [
     "Vector",
     "Wall",
     "World",
+    "replay",
 ]

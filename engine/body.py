@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from engine import validate
 from engine.collision import Collision
 from engine.forces import Force, Push, Torque
+from engine.inputs import noted
 from engine.shapes import Particle, Shape, Wall
 from engine.vector import Vector
 
@@ -53,6 +54,7 @@ class Body:
         return Vector(self._world.bodies.x[row], self._world.bodies.y[row])
 
     @position.setter
+    @noted
     def position(self, value: Any) -> None:
         row, new = self._movable("position"), validate.vector(value, "position")
         self._world.bodies.x[row], self._world.bodies.y[row] = new
@@ -74,6 +76,7 @@ class Body:
         return self._world.bodies.angle[self._row()]
 
     @angle.setter
+    @noted
     def angle(self, value: Any) -> None:
         row = self._movable("angle")
         self._world.bodies.angle[row] = validate.finite(value, "angle")
@@ -86,6 +89,7 @@ class Body:
         return Vector(self._world.bodies.vx[row], self._world.bodies.vy[row])
 
     @velocity.setter
+    @noted
     def velocity(self, value: Any) -> None:
         row, new = self._movable("velocity"), validate.vector(value, "velocity")
         self._world.bodies.vx[row], self._world.bodies.vy[row] = new
@@ -112,6 +116,7 @@ class Body:
         return self._world.bodies.spin[self._row()]
 
     @spin.setter
+    @noted
     def spin(self, value: Any) -> None:
         row, new = self._movable("spin"), validate.finite(value, "spin")
         if new and isinstance(self.shape, Particle):
@@ -124,6 +129,7 @@ class Body:
         return self._world.bodies.mass[self._row()]
 
     @mass.setter
+    @noted
     def mass(self, value: Any) -> None:
         row, new = self._movable("mass"), validate.positive(value, "mass")
         bodies = self._world.bodies
@@ -142,6 +148,7 @@ class Body:
         return self._world.bodies.restitution[self._row()]
 
     @restitution.setter
+    @noted
     def restitution(self, value: Any) -> None:
         self._world.bodies.restitution[self._row()] = validate.fraction(value, "restitution")
         self._world.displaced()
@@ -152,6 +159,7 @@ class Body:
         return self._world.bodies.friction[self._row()]
 
     @friction.setter
+    @noted
     def friction(self, value: Any) -> None:
         self._world.bodies.friction[self._row()] = validate.not_negative(value, "friction")
         self._world.displaced()
@@ -216,6 +224,7 @@ class Body:
         x, y = world.x - at.x, world.y - at.y
         return Vector(cos * x + sin * y, cos * y - sin * x)
 
+    @noted
     def exert(self, effort: Force | Torque, duration: float | None = None, at: Any = None) -> Push:
         """Push or turn the body from the next tick on; return the push.
 
@@ -237,6 +246,7 @@ class Body:
         point = Vector(0.0, 0.0) if at is None else self.to_local(at)
         return self._world.push(self, effort.x, effort.y, 0.0, point, lasts)
 
+    @noted
     def apply_impulse(self, impulse: Any, at: Any = None) -> None:
         """Change the momentum at once by `impulse` (N s, world), at a point (m, world)."""
         row, given = self._movable("impulse"), validate.vector(impulse, "impulse")

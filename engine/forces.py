@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from engine import validate
+from engine.inputs import noted
 
 if TYPE_CHECKING:
     from engine.world import World
@@ -78,6 +79,7 @@ class Push:
         """Whether it will act in the next tick."""
         return self._world.is_acting(self.id)
 
+    @noted
     def stop(self) -> None:
         """End it now; to stop it twice, or after its time, does nothing."""
         self._world.stop(self.id)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, get_args, get_type_hints
 
 import numpy as np
 
+from engine import validate
 from engine.body import Body
 from engine.forces import Force, LinearDrag, QuadraticDrag, Torque
 from engine.plain import INFINITIES, Decoder, Functions, encode
@@ -107,41 +108,25 @@ def refill(world: "World", data: dict[str, Any], functions: Functions) -> None:
             not have made.
         LookupError: for a function that is not among `functions`.
     """
-    _check_keys(data, KEYS, "a saved world")
-    if data["format"] != FORMAT or isinstance(data["format"], bool):
-        raise ValueError(f"a saved world must have the format {FORMAT}, not {data['format']!r}")
+    validate.keys(data, KEYS, "a saved world")
+    validate.version(data["format"], FORMAT, "a saved world")
     decode = Decoder(KINDS, functions)
-    _check_keys(data["rules"], tuple(RULES), "the rules of a saved world")
+    validate.keys(data["rules"], tuple(RULES), "the rules of a saved world")
     for name, usual in RULES.items():
         rule = data["rules"][name]
         setattr(world, name, usual if rule is None else decode(rule))
     world.laws = _laws(data["laws"])
-    _check_keys(data["tables"], tuple(TABLES), "the tables of a saved world")
+    validate.keys(data["tables"], tuple(TABLES), "the tables of a saved world")
     tables = {name: _table(name, data["tables"][name]) for name in TABLES}
     _check_rows(tables)
-    handles = tuple(_handle(world, each, decode) for each in _list(data["handles"], "handles"))
+    handles = tuple(
+        _handle(world, each, decode) for each in validate.listed(data["handles"], "handles")
+    )
     if [body.id for body in handles] != list(tables["bodies"].id):
         raise ValueError("the handles of a saved world must have the ids of its bodies, in order")
     counts = tuple(np.array([len(tables[name][0])]) for name in Counts._fields)
     columns = {name: arrays(table) for name, table in tables.items()}
     world.restore(Snapshot(columns | {"counts": counts}, handles))
-
-
-def _check_keys(data: Any, keys: tuple[str, ...], what: str) -> None:
-    if not isinstance(data, dict):
-        raise TypeError(f"{what} must be a dictionary, not {data!r:.50}")
-    for key in keys:
-        if key not in data:
-            raise ValueError(f"{what} must have {key!r}")
-    for key in data:
-        if key not in keys:
-            raise ValueError(f"{what} has no {key!r}")
-
-
-def _list(data: Any, name: str) -> list[Any]:
-    if not isinstance(data, list):
-        raise TypeError(f"{name} of a saved world must be a list, not {data!r:.50}")
-    return data
 
 
 def _listed(values: Any) -> list[Any]:
@@ -155,7 +140,7 @@ def _listed(values: Any) -> list[Any]:
 
 
 def _laws(data: Any) -> Laws:
-    _check_keys(data, Laws._fields, "the laws of a saved world")
+    validate.keys(data, Laws._fields, "the laws of a saved world")
     whole = ("integrator", "substeps")
     values = {name: _number(f"laws.{name}", data[name], name in whole) for name in Laws._fields}
     laws = Laws(**values)
@@ -177,7 +162,7 @@ def _number(name: str, value: Any, whole: bool) -> Any:
 
 
 def _handle(world: "World", data: Any, decode: Decoder) -> Body:
-    _check_keys(data, ("id", "name", "shape"), "a handle of a saved world")
+    validate.keys(data, ("id", "name", "shape"), "a handle of a saved world")
     id, name, shape = data["id"], data["name"], decode(data["shape"])
     if not isinstance(name, str) or not isinstance(shape, Shape):
         raise TypeError(f"a saved body must have a name and a shape, not {name!r} and {shape!r}")
@@ -188,13 +173,12 @@ def _table(name: str, data: Any) -> Any:
     """The arrays of a table, all of one length."""
     kind = TABLES[name]
     saved = tuple(field for field in kind._fields if f"{name}.{field}" not in DERIVED)
-    _check_keys(data, saved, f"the table {name} of a saved world")
-    rows = len(_list(data[saved[0]], f"{name}.{saved[0]}"))
+    validate.keys(data, saved, f"the table {name} of a saved world")
+    rows = len(validate.listed(data[saved[0]], f"{name}.{saved[0]} of a saved world"))
     table = allocate(kind, rows)
     for field in saved:
-        where, listed = f"{name}.{field}", _list(data[field], f"{name}.{field}")
-        if len(listed) != rows:
-            raise ValueError(f"{where} of a saved world must have {rows} rows, not {len(listed)}")
+        where = f"{name}.{field}"
+        listed = validate.listed(data[field], f"{where} of a saved world", rows)
         column = np.asarray(getattr(table, field))
         column[:] = [_cell(where, value, column.dtype.kind == "i") for value in listed]
     return table

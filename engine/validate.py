@@ -65,3 +65,30 @@ def vector(value: Any, name: str) -> Vector:
     if len(pair) != 2:
         raise ValueError(f"{name} must be a pair of numbers, not {len(pair)} of them")
     return Vector(finite(pair[0], f"{name}[0]"), finite(pair[1], f"{name}[1]"))
+
+
+def keys(data: Any, wanted: Iterable[str], what: str) -> None:
+    """Refuse what is no dictionary with exactly these keys."""
+    if not isinstance(data, dict):
+        raise TypeError(f"{what} must be a dictionary, not {data!r:.50}")
+    for key in wanted:
+        if key not in data:
+            raise ValueError(f"{what} must have {key!r}")
+    for key in data:
+        if key not in wanted:
+            raise ValueError(f"{what} has no {key!r}")
+
+
+def listed(data: Any, what: str, length: int | None = None) -> list[Any]:
+    """Return `data`, a list, of this length if one is given."""
+    if not isinstance(data, list):
+        raise TypeError(f"{what} must be a list, not {data!r:.50}")
+    if length is not None and len(data) != length:
+        raise ValueError(f"{what} must have {length} rows, not {len(data)}")
+    return data
+
+
+def version(value: Any, known: int, what: str) -> None:
+    """Refuse saved data of another version."""
+    if isinstance(value, bool) or value != known:
+        raise ValueError(f"{what} must have the format {known}, not {value!r:.50}")

@@ -9,9 +9,11 @@ from engine.body import Body, OnCollision, OnMove
 from engine.collision import Collision, Diverged, Removed
 from engine.enrol import initial_values
 from engine.forces import Drag, Push
+from engine.inputs import noted
 from engine.jit import choose
 from engine.pairing import as_arrays, pair_up
 from engine.plain import Functions
+from engine.recording import Recording
 from engine.settings import TICK, Rule, geometric_mean, larger, laws
 from engine.shapes import Shape
 from engine.snapshot import Snapshot
@@ -52,6 +54,8 @@ class World:
         self.friction_rule = friction_rule or geometric_mean
         self.store = Store()
         """All that varies."""
+        self.recorder: Recording | None = None
+        """Who takes note of inputs; see `record`."""
         self._kernels = choose(kernels)
         self._arrays_of = self._arrays = self.store.tables
 
@@ -71,9 +75,11 @@ class World:
         collisions = self._move(dt)
         self._end_pushes()
         self.store.tell_time(dt)
+        self._note(dt)
         callbacks.call(poses, collisions, self.store)
         return collisions
 
+    @noted
     def add(
         self,
         shape: Shape,
@@ -109,6 +115,7 @@ class World:
         self.displaced()
         return body
 
+    @noted
     def remove(self, body: Body) -> None:
         """Take a body, with all that pushes it, out of the world; its handle is then refused."""
         self.store.remove_body(body)
@@ -158,6 +165,7 @@ class World:
         return Vector(self.laws.gravity_x, self.laws.gravity_y)
 
     @gravity.setter
+    @noted
     def gravity(self, value: Any) -> None:
         down = validate.vector(value, "gravity")
         self.laws = self.laws._replace(gravity_x=down.x, gravity_y=down.y)
@@ -191,6 +199,7 @@ class World:
         """Copy all that varies; `restore` brings it back bit for bit."""
         return self.store.snapshot()
 
+    @noted
     def restore(self, snapshot: Snapshot) -> None:
         """Go back to a snapshot of this world; bodies added since are gone, removed ones return."""
         if not isinstance(snapshot, Snapshot):
@@ -227,6 +236,13 @@ class World:
         portable.refill(world, data, functions or {})
         return world
 
+    def record(self) -> Recording:
+        """Note all that is done to the world from now on, for `replay`.
+
+        Use it in a `with` block, or call `stop()` of what is returned.
+        """
+        return Recording.of(self)
+
     def digest(self) -> str:
         """Hash of the state (SHA-256, hexadecimal): equal for equal worlds on any machine."""
         return self.store.digest()
@@ -241,6 +257,7 @@ class World:
         """
         return self.store.row(body)
 
+    @noted
     def push(self, body: Body, x: float, y: float, torque: float, at: Vector, lasts: float) -> Push:
         """Let a force (N) or torque (N m) act; see `Body.exert`."""
         id = self.store.new_id("push")
@@ -252,6 +269,7 @@ class World:
         """Whether the push with this id still acts."""
         return self._row_of_push(push) is not None
 
+    @noted
     def stop(self, push: int) -> None:
         """End the push with this id, if it still acts."""
         row = self._row_of_push(push)
@@ -262,6 +280,7 @@ class World:
         ids = self.tables.pushes.id
         return next((i for i in range(self.store.count("pushes")) if ids[i] == push), None)
 
+    @noted
     def displaced(self) -> None:
         """Take note that a body was moved by hand, or its material changed."""
         self.tables.state.stale[0] = 1
@@ -309,6 +328,10 @@ class World:
         if self._arrays_of is not self.tables:
             self._arrays_of, self._arrays = self.tables, as_arrays(self.tables)
         return self._arrays
+
+    def _note(self, dt: float) -> None:
+        if self.recorder is not None:
+            self.recorder.end_tick(self, dt)
 
     def _end_pushes(self) -> None:
         left = self.tables.pushes.left

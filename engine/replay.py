@@ -1,0 +1,105 @@
+"""A recording played again, and compared with what was recorded."""
+
+from typing import Any
+
+import numpy as np
+
+from engine import portable, validate
+from engine.body import Body
+from engine.forces import Push
+from engine.inputs import is_input
+from engine.plain import Decoder, Functions
+from engine.recording import Recording, marks_of
+from engine.world import World
+
+OTHERWISE = "what bodies remember of their contacts and pushes is not what was recorded"
+
+
+class Divergence(RuntimeError):
+    """A replay is not what was recorded; the sentence names the first tick and the first body."""
+
+    def __init__(self, tick: int, body: Body | None, sentence: str) -> None:
+        """Say where it was found."""
+        super().__init__(sentence)
+        self.tick = tick
+        """The first tick that ended otherwise; the first tick of a world is 1."""
+        self.body = body
+        """Of the replayed world, the first in the order of ids; None if bodies are not what
+        differs."""
+
+
+def replay(
+    recording: Recording, functions: Functions | None = None, kernels: str = "auto"
+) -> World:
+    """Make the world anew, do to it what was done, and compare; return it as it is at the end.
+
+    Functions that bodies call back are not called: what they did to the world is on record.
+
+    Args:
+        recording: what `World.record` returned.
+        functions: the Python functions in it, by name; see `World.from_dict`.
+        kernels: as for a new world.
+
+    Raises:
+        Divergence: at the first tick that does not end as it was recorded.
+        TypeError, ValueError, LookupError: for a start that is no saved world.
+    """
+    if not isinstance(recording, Recording):
+        raise TypeError(f"only a Recording can be replayed, not {recording!r:.50}")
+    world = World.from_dict(recording.start, functions, kernels)
+    decode = Decoder(portable.KINDS, functions, lambda kind, id: _handle(world, kind, id))
+    digests = {each["tick"]: each["digest"] for each in recording.digests}
+    lengths = (dt for dt, ticks in recording.spans for _ in range(int(ticks)))
+    waiting = list(reversed(recording.inputs))
+    for tick, (dt, marks) in enumerate(zip(lengths, recording.marks, strict=True)):
+        while waiting and waiting[-1]["tick"] <= tick:
+            _do(world, waiting.pop(), decode, functions or {})
+        world.step(dt)
+        _compare(world, marks)
+        if tick + 1 in digests and digests[tick + 1] != world.digest():
+            raise Divergence(world.tick, None, f"{OTHERWISE} by tick {world.tick}")
+    while waiting:
+        _do(world, waiting.pop(), decode, functions or {})
+    if recording.end is not None and recording.end != world.digest():
+        raise Divergence(world.tick, None, f"{OTHERWISE} at the end")
+    return world
+
+
+def _do(world: World, entry: dict[str, Any], decode: Decoder, functions: Functions) -> None:
+    """Carry out an input."""
+    args = validate.listed(entry["args"], "the arguments of an input")
+    if entry["call"] == "restore":
+        portable.refill(world, args[0], functions)
+        return
+    target = world if entry["on"] is None else decode(entry["on"])
+    call = getattr(type(target), str(entry["call"]), None)
+    setter = call.fset if isinstance(call, property) else None
+    if not is_input(setter or call):
+        raise ValueError(f"no input is called {entry['call']!r:.50}")
+    values = decode(args)
+    named = {name: decode(value) for name, value in entry["given"].items()}
+    if setter is not None:
+        setattr(target, entry["call"], *values)
+    else:
+        getattr(target, entry["call"])(*values, **named)
+
+
+def _handle(world: World, kind: str, id: int) -> Any:
+    """The body or push that an input names."""
+    if kind == "Body":
+        return world.body(id)
+    if kind == "Push":
+        return Push(world, id)
+    raise ValueError(f"no input acts on a {kind!r:.50}")
+
+
+def _compare(world: World, recorded: bytes) -> None:
+    """Refuse a tick that ended otherwise."""
+    marks, known = marks_of(world), np.frombuffer(recorded, "<u4")
+    both = min(len(marks), len(known))
+    for row in np.flatnonzero(marks[:both] != known[:both]):
+        body = list(world)[row]
+        raise Divergence(world.tick, body, f"{body.name} ended tick {world.tick} otherwise")
+    if len(marks) != len(known):
+        sentence = f"after tick {world.tick} there are {len(marks)} bodies, not {len(known)}"
+        raise Divergence(world.tick, None, sentence)
