@@ -1,6 +1,7 @@
 """A standalone 2D rigid-body engine: SI units, float64, +y up, angles counter-clockwise."""
 
 from engine.body import Body
+from engine.bulk import Tracks
 from engine.collision import Collision, Diverged, Removed
 from engine.forces import Force, LinearDrag, Push, QuadraticDrag, Torque
 from engine.recording import Recording
@@ -29,6 +30,7 @@ __all__ = [
     "Shape",
     "Snapshot",
     "Torque",
+    "Tracks",
     "Vector",
     "Wall",
     "World",

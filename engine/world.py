@@ -1,11 +1,12 @@
 """The room in which bodies move."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
-from engine import callbacks, collision, portable, validate
+from engine import bulk, callbacks, collision, portable, validate
 from engine.body import Body, OnCollision, OnMove
+from engine.bulk import Tracks
 from engine.collision import Collision, Diverged, Removed
 from engine.enrol import initial_values
 from engine.forces import Drag, Push
@@ -78,6 +79,35 @@ class World:
         self._note(dt)
         callbacks.call(poses, collisions, self.store)
         return collisions
+
+    def run(
+        self,
+        ticks: int,
+        dt: float = TICK,
+        record: Iterable[str] = ("x", "y", "angle"),
+        collisions: bool = False,
+    ) -> Tracks:
+        """Take many steps at once, to the same bits; return where the bodies were at each tick.
+
+        Args:
+            ticks: how many steps to take.
+            dt: length of each (s).
+            record: which of x, y, angle, vx, vy, spin, force_x, force_y, torque to keep.
+            collisions: whether to keep the collisions as well.
+        """
+        return bulk.run(self, ticks, dt, record, collisions)
+
+    def state(self) -> Any:
+        """Read all bodies at once: an array of a row a body of id, x, y, angle, vx, vy, spin."""
+        return bulk.state(self)
+
+    @noted
+    def set_state(self, state: Any) -> None:
+        """Set pose and motion of many bodies, by rows as `state` returns them, in any order.
+
+        Walls may be among them where they are; a particle must have no spin.
+        """
+        bulk.set_state(self, state)
 
     @noted
     def add(

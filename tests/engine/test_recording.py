@@ -27,7 +27,8 @@ from engine.inputs import is_input
 
 READS = {
     World: {
-        "step", "record", "snapshot", "to_dict", "from_dict", "digest", "body", "row", "is_acting",
+        "step", "run", "state", "record", "snapshot", "to_dict", "from_dict", "digest", "body",
+        "row", "is_acting",
     },
     Body: {"to_world", "to_local"},
     Push: set(),

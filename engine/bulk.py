@@ -1,0 +1,151 @@
+"""Many ticks, or many bodies, in one call: tracks and states as arrays."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from engine import validate
+from engine.collision import Collision
+from engine.shapes import Particle, Wall
+
+if TYPE_CHECKING:
+    from engine.world import World
+
+STATE = ("id", "x", "y", "angle", "vx", "vy", "spin")
+"""Columns of `World.state`."""
+
+RECORDED = ("x", "y", "angle", "vx", "vy", "spin", "force_x", "force_y", "torque")
+"""Columns that `World.run` can record; see `Body` for their units."""
+
+
+@dataclass(frozen=True)
+class Tracks:
+    """What `World.run` recorded: a row a moment, a column a body."""
+
+    times: Any
+    """Array (ticks + 1,): time of the world (s), the start first."""
+    ids: Any
+    """Array (bodies,): the bodies that were there at the start, in order."""
+    columns: dict[str, Any]
+    """For each recorded name an array (ticks + 1, bodies); NaN once a body is removed."""
+    collisions: tuple[Collision, ...]
+    """In order of time, if they were asked for."""
+    collision_count: int
+    """How many there were, asked for or not."""
+
+    def __getitem__(self, name: str) -> Any:
+        """One recorded name: an array (ticks + 1, bodies)."""
+        if name not in self.columns:
+            raise KeyError(
+                f"{name!r} was not recorded, only {', '.join(self.columns) or 'nothing'}"
+            )
+        return self.columns[name]
+
+    def __iter__(self) -> Iterator[str]:
+        """The recorded names."""
+        return iter(self.columns)
+
+    def of(self, id: int) -> dict[str, Any]:
+        """The columns of one body, by name: arrays (ticks + 1,)."""
+        place = np.flatnonzero(self.ids == id)
+        if not len(place):
+            raise LookupError(f"there is no body {id} in these tracks")
+        return {name: column[:, place[0]] for name, column in self.columns.items()}
+
+
+def run(world: "World", ticks: int, dt: float, record: Iterable[str], collisions: bool) -> Tracks:
+    """Step many times; see `World.run`."""
+    ticks, dt = validate.whole(ticks, "ticks", 0), validate.positive(dt, "dt")
+    names = _names(record)
+    rows = _Rows(world)
+    times = np.empty(ticks + 1)
+    columns = {name: np.empty((ticks + 1, len(rows.ids))) for name in names}
+    happened: list[Collision] = []
+    count = 0
+    times[0] = world.time
+    rows.read(columns, 0)
+    for i in range(1, ticks + 1):
+        found = world.step(dt)
+        count += len(found)
+        if collisions:
+            happened += found
+        times[i] = world.time
+        rows.read(columns, i)
+    return Tracks(times, rows.ids, columns, tuple(happened), count)
+
+
+class _Rows:
+    """Where the bodies of the start are in the tables, whatever callbacks add or remove."""
+
+    def __init__(self, world: "World") -> None:
+        self.world = world
+        self.ids = np.asarray(world.bodies.id)[: len(world)].copy()
+        self._last = self._known()
+        self._rows: Any = slice(0, len(self.ids))
+        self._gone = np.zeros(len(self.ids), bool)
+        at = [body.position if body.is_wall else (0.0, 0.0) for body in world]
+        self._walls = {"x": np.array([x for x, _ in at]), "y": np.array([y for _, y in at])}
+
+    def _known(self) -> tuple[int, int]:
+        return len(self.world), self.world.tables.state.next_body[0]
+
+    def read(self, columns: dict[str, Any], i: int) -> None:
+        """Write row `i` of every column."""
+        if self._last != self._known():
+            self._last = self._known()
+            rows = self.world.store.rows
+            self._gone = np.array([id not in rows for id in self.ids.tolist()], bool)
+            self._rows = np.array([rows.get(id, 0) for id in self.ids.tolist()], np.int64)
+        bodies = self.world.bodies
+        for name, column in columns.items():
+            column[i] = np.asarray(getattr(bodies, name))[self._rows]
+            if name in self._walls:
+                column[i] += self._walls[name]
+            if self._gone.any():
+                column[i, self._gone] = np.nan
+
+
+def _names(record: Iterable[str]) -> list[str]:
+    names = [record] if isinstance(record, str) else list(record)
+    for name in names:
+        if name not in RECORDED:
+            raise ValueError(f"record knows {', '.join(RECORDED)}, not {name!r}")
+    return names
+
+
+def state(world: "World") -> Any:
+    """Read all bodies at once; see `World.state`."""
+    count = len(world)
+    read = np.empty((count, len(STATE)))
+    for i, name in enumerate(STATE):
+        read[:, i] = np.asarray(getattr(world.bodies, name))[:count]
+    for row, body in enumerate(world.store.handles):
+        if isinstance(body.shape, Wall):
+            read[row, 1:3] = body.position
+    return read
+
+
+def set_state(world: "World", given: Any) -> None:
+    """Set many bodies at once; see `World.set_state`."""
+    wanted = np.asarray(given, dtype=np.float64)
+    if wanted.ndim != 2 or wanted.shape[1] != len(STATE):
+        raise ValueError(f"a state has rows of {', '.join(STATE)}, not the shape {wanted.shape}")
+    if not np.isfinite(wanted).all():
+        raise ValueError("a state must be finite, but has NaN or infinities")
+    if len(np.unique(wanted[:, 0])) != len(wanted):
+        raise ValueError("a state must name each body once")
+    rows = np.array([world.row(world.body(id)) for id in wanted[:, 0].tolist()], np.int64)
+    before = state(world)[rows]
+    for body, old, new in zip(
+        (world.store.handles[row] for row in rows), before, wanted, strict=True
+    ):
+        if body.is_wall and (old != new).any():
+            raise ValueError(f"a wall is immovable: {body.name} takes no state")
+        if isinstance(body.shape, Particle) and new[-1] != 0.0:
+            raise ValueError(f"a particle never rotates, so {body.name} cannot have spin {new[-1]}")
+    movable = np.array([not world.store.handles[row].is_wall for row in rows], bool)
+    for i, name in enumerate(STATE[1:], start=1):
+        np.asarray(getattr(world.bodies, name))[rows[movable]] = wanted[movable, i]
+    world.displaced()
