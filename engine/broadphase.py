@@ -4,14 +4,18 @@ A list of pairs holds as long as no body can leave its box within the tick. It i
 and pairs in it that do not touch have no effect: results do not depend on how pairs were found.
 """
 
-from engine.tables import Bodies, Ints, Tables
-from engine.travel import farthest, has_escaped
+from engine.pose import put
+from engine.tables import Bodies, Ints, Pieces, Tables
+from engine.travel import farthest, farthest_turn, has_escaped
 
 SLACK = 0.2
 """Margin as a share of the reach."""
 
 TICKS_AHEAD = 3.0
 """Margin as a share of the way of one tick."""
+
+TURN_SLACK = 0.2
+"""How far a body of several pieces may turn besides (rad)."""
 
 
 def holds(t: Tables, count: int, dt: float) -> bool:
@@ -23,10 +27,10 @@ def holds(t: Tables, count: int, dt: float) -> bool:
 
 
 def fit_boxes(t: Tables, count: int, dt: float) -> None:
-    """Draw a box with a margin around the way of every body in `dt` seconds."""
+    """Draw boxes with a margin around the ways of every body and piece in `dt` seconds."""
     bodies = t.bodies
     for row in range(count):
-        if bodies.inverse_mass[row] > 0.0:
+        if bodies.moves[row] == 1:
             way_x, way_y = farthest(t, row, dt)
             slack = SLACK * bodies.reach[row]
             way_x += slack + TICKS_AHEAD * (way_x - bodies.reach[row])
@@ -35,29 +39,81 @@ def fit_boxes(t: Tables, count: int, dt: float) -> None:
             bodies.high_x[row] = bodies.x[row] + way_x
             bodies.low_y[row] = bodies.y[row] - way_y
             bodies.high_y[row] = bodies.y[row] + way_y
+            if bodies.pieces[row] == 1:
+                box_as_body(bodies, t.pieces, bodies.first_piece[row], row)
+            else:
+                fit_pieces(t, row, way_x, way_y, dt)
         else:
-            fit_wall(t, row)
+            for piece in range(
+                bodies.first_piece[row], bodies.first_piece[row] + bodies.pieces[row]
+            ):
+                fit_still(t, piece)
 
 
-def fit_wall(t: Tables, row: int) -> None:
-    """Draw a box around a wall."""
+def box_as_body(bodies: Bodies, pieces: Pieces, piece: int, row: int) -> None:
+    """Give a piece the box of its body."""
+    pieces.low_x[piece] = bodies.low_x[row]
+    pieces.low_y[piece] = bodies.low_y[row]
+    pieces.high_x[piece] = bodies.high_x[row]
+    pieces.high_y[piece] = bodies.high_y[row]
+
+
+def fit_pieces(t: Tables, row: int, way_x: float, way_y: float, dt: float) -> None:
+    """Draw a box around each of the pieces of a body that stays in its own, and turns so far."""
     bodies = t.bodies
-    start = bodies.first[row]
-    last = start + 1
-    x_0 = t.corners.world_x[start]
-    x_1 = t.corners.world_x[last]
-    y_0 = t.corners.world_y[start]
-    y_1 = t.corners.world_y[last]
-    bodies.low_x[row] = x_0 if x_0 < x_1 else x_1
-    bodies.high_x[row] = x_1 if x_0 < x_1 else x_0
-    bodies.low_y[row] = y_0 if y_0 < y_1 else y_1
-    bodies.high_y[row] = y_1 if y_0 < y_1 else y_0
+    pieces = t.pieces
+    turn = farthest_turn(bodies, row, dt)
+    turn += TURN_SLACK + TICKS_AHEAD * turn
+    bodies.low_angle[row] = bodies.angle[row] - turn
+    bodies.high_angle[row] = bodies.angle[row] + turn
+    put(bodies, t.corners, row, bodies.x[row], bodies.y[row], bodies.angle[row])
+    for piece in range(bodies.first_piece[row], bodies.first_piece[row] + bodies.pieces[row]):
+        box_as_body(bodies, pieces, piece, row)
+        more_x = way_x - bodies.reach[row] + turn * pieces.swing[piece]
+        more_y = way_y - bodies.reach[row] + turn * pieces.swing[piece]
+        low_x, low_y, high_x, high_y = extent(t, piece)
+        if low_x - more_x > pieces.low_x[piece]:
+            pieces.low_x[piece] = low_x - more_x
+        if low_y - more_y > pieces.low_y[piece]:
+            pieces.low_y[piece] = low_y - more_y
+        if high_x + more_x < pieces.high_x[piece]:
+            pieces.high_x[piece] = high_x + more_x
+        if high_y + more_y < pieces.high_y[piece]:
+            pieces.high_y[piece] = high_y + more_y
 
 
-def sort(bodies: Bodies, count: int) -> None:
+def fit_still(t: Tables, piece: int) -> None:
+    """Draw a box around a piece that does not move."""
+    low_x, low_y, high_x, high_y = extent(t, piece)
+    t.pieces.low_x[piece] = low_x
+    t.pieces.low_y[piece] = low_y
+    t.pieces.high_x[piece] = high_x
+    t.pieces.high_y[piece] = high_y
+
+
+def extent(t: Tables, piece: int) -> tuple[float, float, float, float]:
+    """The lowest and the highest x and y of a placed piece (m): low x, low y, high x, high y."""
+    corners = t.corners
+    first = t.pieces.first[piece]
+    low_x = corners.world_x[first]
+    low_y = corners.world_y[first]
+    high_x = low_x
+    high_y = low_y
+    for i in range(first + 1, first + t.pieces.corners[piece]):
+        x = corners.world_x[i]
+        y = corners.world_y[i]
+        low_x = x if x < low_x else low_x
+        high_x = x if x > high_x else high_x
+        low_y = y if y < low_y else low_y
+        high_y = y if y > high_y else high_y
+    radius = t.pieces.radius[piece]
+    return low_x - radius, low_y - radius, high_x + radius, high_y + radius
+
+
+def sort(pieces: Pieces, count: int) -> None:
     """Sort `order` by the left ends of the boxes (insertion: it is nearly sorted)."""
-    order = bodies.order
-    low = bodies.low_x
+    order = pieces.order
+    low = pieces.low_x
     for i in range(1, count):
         row = order[i]
         key = low[row]
@@ -68,24 +124,27 @@ def sort(bodies: Bodies, count: int) -> None:
         order[j + 1] = row
 
 
-def sweep(bodies: Bodies, count: int, a: Ints, b: Ints) -> int:
-    """Write all pairs whose boxes overlap; return their number, be there room for them or not."""
+def sweep(bodies: Bodies, pieces: Pieces, count: int, a: Ints, b: Ints) -> int:
+    """Write all pairs of pieces whose boxes overlap; return their number, room for them or not."""
     found = 0
     room = len(a)
-    order = bodies.order
+    order = pieces.order
     for i in range(count):
         row = order[i]
-        right = bodies.high_x[row]
-        low = bodies.low_y[row]
-        high = bodies.high_y[row]
-        wall = bodies.inverse_mass[row] == 0.0
+        right = pieces.high_x[row]
+        low = pieces.low_y[row]
+        high = pieces.high_y[row]
+        body = pieces.body[row]
+        immovable = bodies.inverse_mass[body] == 0.0
         for j in range(i + 1, count):
             other = order[j]
-            if bodies.low_x[other] > right:
+            if pieces.low_x[other] > right:
                 break
-            if bodies.low_y[other] > high or bodies.high_y[other] < low:
+            if pieces.low_y[other] > high or pieces.high_y[other] < low:
                 continue
-            if wall and bodies.inverse_mass[other] == 0.0:
+            if pieces.body[other] == body:
+                continue
+            if immovable and bodies.inverse_mass[pieces.body[other]] == 0.0:
                 continue
             if found < room:
                 a[found] = row if row < other else other

@@ -145,9 +145,9 @@ def share_of_a(t: Tables, pair: int) -> float:
     bodies = t.bodies
     a = t.pairs.a[pair]
     b = t.pairs.b[pair]
-    if bodies.inverse_mass[a] == 0.0 or bodies.corners[b] == 1:
+    if bodies.inverse_mass[a] == 0.0 or t.pieces.corners[t.pairs.piece_b[pair]] == 1:
         return 1.0
-    if bodies.inverse_mass[b] == 0.0 or bodies.corners[a] == 1:
+    if bodies.inverse_mass[b] == 0.0 or t.pieces.corners[t.pairs.piece_a[pair]] == 1:
         return 0.0
     return 0.5
 

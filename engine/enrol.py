@@ -4,9 +4,9 @@ import math
 from typing import Any
 
 from engine import validate
-from engine.shapes import Particle, Polygon, Shape, Wall
-from engine.tables import Tables, grow, views
-from engine.vector import Vector
+from engine.pose import put
+from engine.shapes import Particle, Piece, Shape, Wall
+from engine.tables import Corners, Tables
 
 HUGE = 1e100
 """Masses (kg) and moments of inertia (kg m^2) lie between this and its inverse."""
@@ -36,46 +36,56 @@ def initial_values(shape: Shape, given: dict[str, Any]) -> dict[str, float]:
 
 
 def write_body(
-    t: Tables, shape: Shape, id: int, row: int, corner: int, values: dict[str, float]
-) -> tuple[Tables, int]:
-    """Write a new body to `row`, its corners from row `corner` on; return tables and next corner.
-
-    Tables that are full are replaced by larger ones.
-    """
-    points = corner_points(shape)
-    if row == len(t.bodies.id):
-        t = t._replace(bodies=views(grow(t.bodies, 2 * row)))
-    while corner + len(points) > len(t.corners.x):
-        t = t._replace(corners=views(grow(t.corners, 2 * len(t.corners.x))))
-    b, c = t.bodies, t.corners
+    t: Tables, shape: Shape, id: int, row: int, piece: int, corner: int, values: dict[str, float]
+) -> None:
+    """Write a new body to `row`, its pieces from row `piece` on, their corners from `corner` on."""
+    b = t.bodies
     for column in b:
         column[row] = 0
-    b.id[row], b.first[row], b.corners[row], b.order[row] = id, corner, len(points), row
+    b.id[row], b.first[row], b.corners[row] = id, corner, corners_of(shape)
+    b.first_piece[row], b.pieces[row] = piece, len(shape.pieces)
     for name, value in values.items():
         getattr(b, name)[row] = value
-    b.radius[row] = getattr(shape, "radius", 0.0)
-    b.reach[row] = b.radius[row] + max(math.dist(p, (0.0, 0.0)) for p in points)
-    b.one_sided[row] = int(isinstance(shape, Wall) and shape.one_sided)
-    inner = math.inf
+    b.moves[row] = int(b.inverse_mass[row] > 0.0)
+    for each in shape.pieces:
+        write_piece(t, each, row, piece, corner)
+        piece, corner = piece + 1, corner + len(each.corners)
+        farthest = each.radius + max(math.dist(p, (0.0, 0.0)) for p in each.corners)
+        b.reach[row] = max(b.reach[row], farthest)
+    put(b, t.corners, row, b.x[row], b.y[row], b.angle[row])
+
+
+def corners_of(shape: Shape) -> int:
+    """Number of corners of all its pieces."""
+    return sum(len(piece.corners) for piece in shape.pieces)
+
+
+def write_piece(t: Tables, shape: Piece, body: int, row: int, corner: int) -> None:
+    """Write a convex piece of the body in row `body` to `row`, its corners from `corner` on."""
+    p, points, radius = t.pieces, shape.corners, shape.radius
+    p.body[row], p.first[row], p.corners[row], p.order[row] = body, corner, len(points), row
+    p.radius[row], p.one_sided[row] = radius, int(shape.one_sided)
+    p.before[row], p.after[row] = shape.before, shape.after
+    p.x[row], p.y[row] = shape.center
+    p.reach[row] = radius + max(math.dist(point, shape.center) for point in points)
+    centered = len(points) == 1 and points[0] == (0.0, 0.0)
+    swing = radius + max(math.dist(point, (0.0, 0.0)) for point in points)
+    p.swing[row] = 0.0 if centered else swing
+    p.inner[row] = radius + write_corners(t.corners, shape, corner)
+
+
+def write_corners(c: Corners, shape: Piece, row: int) -> float:
+    """Write the corners of a piece from `row` on; return the radius of a circle within (m)."""
+    points, inner = shape.corners, math.inf
     for i, start in enumerate(points):
-        k, end = corner + i, points[(i + 1) % len(points)]
+        k, end = row + i, points[(i + 1) % len(points)]
         x, y = end.x - start.x, end.y - start.y
         length = math.sqrt(x * x + y * y) or 1.0
-        c.x[k], c.y[k] = c.world_x[k], c.world_y[k] = start
+        c.x[k], c.y[k] = start
         c.normal_x[k], c.normal_y[k] = y / length, -x / length
-        c.world_normal_x[k], c.world_normal_y[k] = c.normal_x[k], c.normal_y[k]
-        inner = min(inner, (start.x * y - start.y * x) / length)
-    b.inner[row] = inner if isinstance(shape, Polygon) else b.radius[row]
-    return t, corner + len(points)
-
-
-def corner_points(shape: Shape) -> tuple[Vector, ...]:
-    """Corners of the hull that is rounded by the radius: one for round shapes (m)."""
-    if isinstance(shape, Polygon):
-        return shape.vertices
-    if isinstance(shape, Wall):
-        return (shape.start, shape.end)
-    return (Vector(0.0, 0.0),)
+        depth = ((start.x - shape.center.x) * y - (start.y - shape.center.y) * x) / length
+        inner = min(inner, depth)
+    return inner if len(points) > 2 else 0.0
 
 
 def _inertness(shape: Shape, mass: float | None, inertia: float | None) -> dict[str, float]:

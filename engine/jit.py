@@ -128,13 +128,13 @@ def _entries(compile_: Callable[[Any], Any], sources: bytes) -> Kernels:
         fit_boxes(t, count, dt)
 
     @compile_
-    def order(bodies: Any, count: Any) -> Any:
+    def order(pieces: Any, count: Any) -> Any:
         _ = version
-        sort(bodies, count)
+        sort(pieces, count)
 
     @compile_
-    def pairs(bodies: Any, count: Any, a: Any, b: Any) -> Any:
+    def pairs(bodies: Any, pieces: Any, count: Any, a: Any, b: Any) -> Any:
         _ = version
-        return sweep(bodies, count, a, b)
+        return sweep(bodies, pieces, count, a, b)
 
     return Kernels(True, start, go, finish, boxes, order, pairs)

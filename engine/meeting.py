@@ -39,7 +39,8 @@ def find_meeting(t: Tables, pair: int, start: float, end: float) -> None:
     ay = path_by - path_ay
     lasts = end - start
     bound = math.sqrt(vx * vx + vy * vy) + math.sqrt(ax * ax + ay * ay) * lasts
-    if bodies.inverse_mass[a] > 0.0 and bodies.inverse_mass[b] > 0.0:
+    wall = wall_of(t, pair)
+    if wall < 0:
         x = (
             bodies.x[b] + (bodies.vx[b] + path_bx * from_b / 2.0) * from_b
             - bodies.x[a] - (bodies.vx[a] + path_ax * from_a / 2.0) * from_a
@@ -52,23 +53,38 @@ def find_meeting(t: Tables, pair: int, start: float, end: float) -> None:
         far = reach + bound * lasts
         if x * x + y * y > far * far:
             return
-        if bodies.corners[a] == 1 and bodies.corners[b] == 1 and ax == 0.0 and ay == 0.0:
+        if ax == 0.0 and ay == 0.0 and both_discs(t, pair):
             discs_meet(t, pair, start, end, x, y, vx, vy, reach)
             return
-    elif misses_wall(t, pair, start, bound * lasts):
+    elif misses_wall(t, wall, a + b - t.pieces.body[wall], start, bound * lasts):
         return
-    search(t, pair, start, end, bound + rim_speed(t, a, lasts) + rim_speed(t, b, lasts))
+    bound += rim_speed(t, a, t.pairs.piece_a[pair], lasts)
+    bound += rim_speed(t, b, t.pairs.piece_b[pair], lasts)
+    search(t, pair, start, end, bound)
 
 
-def misses_wall(t: Tables, pair: int, start: float, way: float) -> bool:
+def wall_of(t: Tables, pair: int) -> int:
+    """Row of the piece of a pair that is straight and never moves, or -1 if there is none."""
+    a = t.pairs.piece_a[pair]
+    if t.pieces.corners[a] == 2 and t.bodies.moves[t.pairs.a[pair]] == 0:
+        return a
+    b = t.pairs.piece_b[pair]
+    if t.pieces.corners[b] == 2 and t.bodies.moves[t.pairs.b[pair]] == 0:
+        return b
+    return -1
+
+
+def both_discs(t: Tables, pair: int) -> bool:
+    """Whether both pieces of a pair are discs about the centres of their bodies."""
+    a = t.pairs.piece_a[pair]
+    b = t.pairs.piece_b[pair]
+    return t.pieces.swing[a] == 0.0 and t.pieces.swing[b] == 0.0
+
+
+def misses_wall(t: Tables, wall: int, body: int, start: float, way: float) -> bool:
     """Whether a body stays on its side of a wall's line, if it moves no further than `way` (m)."""
     bodies = t.bodies
-    wall = t.pairs.a[pair]
-    body = t.pairs.b[pair]
-    if bodies.inverse_mass[body] == 0.0:
-        wall = t.pairs.b[pair]
-        body = t.pairs.a[pair]
-    first = bodies.first[wall]
+    first = t.pieces.first[wall]
     passed = start - bodies.clock[body]
     half = passed * passed / 2.0
     x = bodies.x[body] + bodies.vx[body] * passed + bodies.path_x[body] * half
@@ -76,17 +92,18 @@ def misses_wall(t: Tables, pair: int, start: float, way: float) -> bool:
     above = t.corners.world_normal_x[first] * (
         x - t.corners.world_x[first]
     ) + t.corners.world_normal_y[first] * (y - t.corners.world_y[first])
-    reach = bodies.reach[body] + way
+    reach = bodies.reach[body] + t.pieces.radius[wall] + way
     return above > reach or above < -reach
 
 
-def rim_speed(t: Tables, row: int, lasts: float) -> float:
-    """The most that rotation adds to the speed of any point of a body (m/s)."""
-    if t.bodies.corners[row] == 1:
+def rim_speed(t: Tables, row: int, piece: int, lasts: float) -> float:
+    """The most that rotation adds to the speed of the surface of a piece of a body (m/s)."""
+    swing = t.pieces.swing[piece]
+    if swing == 0.0:
         return 0.0
     spin = t.bodies.spin[row]
     more = t.bodies.path_spin[row] * lasts
-    return ((spin if spin > 0.0 else -spin) + (more if more > 0.0 else -more)) * t.bodies.reach[row]
+    return ((spin if spin > 0.0 else -spin) + (more if more > 0.0 else -more)) * swing
 
 
 def discs_meet(
@@ -165,7 +182,7 @@ def search(t: Tables, pair: int, start: float, end: float, bound: float) -> None
     if gap > bound * (end - start):
         return
     tiny = ZERO_GAP * t.pairs.size[pair]
-    inner = t.bodies.inner[t.pairs.a[pair]] + t.bodies.inner[t.pairs.b[pair]]
+    inner = t.pieces.inner[t.pairs.piece_a[pair]] + t.pieces.inner[t.pairs.piece_b[pair]]
     piece = 0.25 * inner / bound if bound > 0.0 else end - start
     if gap <= tiny:
         speed = approach_at(t, pair, start)
@@ -244,14 +261,15 @@ def root(t: Tables, pair: int, before: float, gap: float, after: float, overlap:
 def notice_passing(t: Tables, pair: int) -> None:
     """Let through a one-sided wall what comes from behind; stop it again once it is through."""
     pairs = t.pairs
-    a = pairs.a[pair]
-    b = pairs.b[pair]
-    wall = a if t.bodies.one_sided[a] == 1 else b
-    if t.bodies.one_sided[wall] == 0:
-        return
-    body = b if wall == a else a
+    wall = pairs.piece_a[pair]
+    body = pairs.b[pair]
+    if t.pieces.one_sided[wall] == 0:
+        wall = pairs.piece_b[pair]
+        body = pairs.a[pair]
+        if t.pieces.one_sided[wall] == 0:
+            return
     place(t.bodies, t.corners, body, t.bodies.clock[body])
-    first = t.bodies.first[wall]
+    first = t.pieces.first[wall]
     above = t.corners.world_normal_x[first] * (
         t.corners.world_x[first] - t.bodies.here_x[body]
     ) + t.corners.world_normal_y[first] * (t.corners.world_y[first] - t.bodies.here_y[body])

@@ -22,25 +22,23 @@ CARRIED_OVER = ("state", "points", "carried", "part", "struck")
 """Columns of `Pairs` that a pair keeps when the list is made anew."""
 
 
-def pair_up(
-    t: Tables,
-    count: int,
-    pair_count: int,
-    dt: float,
-    rules: tuple[Rule, Rule],
-    kernels: Kernels,
-) -> tuple[Tables, int]:
+RESTING_STATE = ("piece_a", "piece_b", "points", "carried")
+"""Columns of `Pairs` that tell two worlds apart where pairs rest."""
+
+
+def pair_up(t: Tables, dt: float, rules: tuple[Rule, Rule], kernels: Kernels) -> tuple[Tables, int]:
     """List the pairs that may touch within `dt` seconds; return the tables and their number."""
+    count, piece_count, pair_count = t.counts.bodies[0], t.counts.pieces[0], t.counts.pairs[0]
     plain = as_arrays(t) if kernels.compiled else t
     kernels.fit_boxes(plain, count, dt)
-    kernels.sort(plain.bodies, count)
-    room = max(64, 4 * count)
+    kernels.sort(plain.pieces, piece_count)
+    room = max(64, 4 * piece_count)
     a: Any = np.zeros(room, np.int64)
     b: Any = np.zeros(room, np.int64)
-    found = sweep_into(plain, count, a, b, kernels)
+    found = sweep_into(plain, piece_count, a, b, kernels)
     if found > room:
         a, b = np.zeros(found, np.int64), np.zeros(found, np.int64)
-        sweep_into(plain, count, a, b, kernels)
+        sweep_into(plain, piece_count, a, b, kernels)
     a, b = a[:found], b[:found]
     sorted_rows = np.lexsort((b, a))
     a, b = a[sorted_rows], b[sorted_rows]
@@ -48,21 +46,30 @@ def pair_up(
     while room < found:
         room *= 2
     pairs, contacts = allocate(Pairs, room), allocate(Contacts, 2 * room)
-    np.asarray(pairs.a)[:found], np.asarray(pairs.b)[:found] = a, b
+    np.asarray(pairs.piece_a)[:found], np.asarray(pairs.piece_b)[:found] = a, b
+    body = np.asarray(t.pieces.body)
+    np.asarray(pairs.a)[:found], np.asarray(pairs.b)[:found] = body[a], body[b]
     carry_over(t, pair_count, pairs, contacts, found)
-    reach, free = np.asarray(t.bodies.reach), np.asarray(t.bodies.inverse_mass) > 0.0
-    wide = np.where(free, reach, np.inf)
-    np.asarray(pairs.size)[:found] = np.minimum(wide[a], wide[b])
+    sizes = size_of_pieces(t)
+    np.asarray(pairs.size)[:found] = np.minimum(sizes[a], sizes[b])
+    a, b = body[a], body[b]
     t = t._replace(pairs=views(pairs), contacts=views(contacts), links=links(t, a, b, count))
     mix(t, found, *rules)
     return t, found
 
 
-def sweep_into(t: Tables, count: int, a: Any, b: Any, kernels: Kernels) -> int:
-    """Write the pairs whose boxes overlap into two arrays; return their number."""
+def size_of_pieces(t: Tables) -> Any:
+    """Reach of the body of each piece (m); infinite for walls."""
+    pieces = t.pieces
+    thin = (np.asarray(pieces.corners) == 2) & (np.asarray(pieces.radius) == 0.0)
+    return np.where(thin, np.inf, np.asarray(t.bodies.reach)[np.asarray(pieces.body)])
+
+
+def sweep_into(t: Tables, piece_count: int, a: Any, b: Any, kernels: Kernels) -> int:
+    """Write the pairs of pieces whose boxes overlap into two arrays; return their number."""
     if kernels.compiled:
-        return kernels.sweep(t.bodies, count, a, b)
-    return kernels.sweep(t.bodies, count, memoryview(a), memoryview(b))
+        return kernels.sweep(t.bodies, t.pieces, piece_count, a, b)
+    return kernels.sweep(t.bodies, t.pieces, piece_count, memoryview(a), memoryview(b))
 
 
 def as_arrays(t: Tables) -> Tables:
@@ -88,7 +95,8 @@ def carry_over(t: Tables, pair_count: int, pairs: Pairs, contacts: Contacts, fou
 
 def keys(pairs: Pairs, pair_count: int) -> Any:
     """One number for each pair, in the order of the list."""
-    return (np.asarray(pairs.a)[:pair_count] << 32) | np.asarray(pairs.b)[:pair_count]
+    a, b = np.asarray(pairs.piece_a)[:pair_count], np.asarray(pairs.piece_b)[:pair_count]
+    return (a << 32) | b
 
 
 def link(t: Tables, count: int, pair_count: int) -> Tables:
@@ -118,7 +126,11 @@ def mix(t: Tables, pair_count: int, restitution: Rule, friction: Rule) -> None:
 
 
 def forget(t: Tables, pair_count: int, row: int) -> int:
-    """Drop the pairs of a body that leaves; return how many are left."""
+    """Drop the pairs of a body that leaves; return how many are left.
+
+    Its row, and the rows of its pieces, still stand.
+    """
+    last, pieces = t.bodies.first_piece[row] + t.bodies.pieces[row], t.bodies.pieces[row]
     a, b = np.asarray(t.pairs.a)[:pair_count], np.asarray(t.pairs.b)[:pair_count]
     kept = np.flatnonzero((a != row) & (b != row))
     for column in arrays(t.pairs):
@@ -127,6 +139,9 @@ def forget(t: Tables, pair_count: int, row: int) -> int:
         column[: 2 * len(kept)] = np.stack((column[2 * kept], column[2 * kept + 1]), 1).ravel()
     for rows in (a[: len(kept)], b[: len(kept)]):
         rows[rows > row] -= 1
+    for column in (t.pairs.piece_a, t.pairs.piece_b):
+        rows = np.asarray(column)[: len(kept)]
+        rows[rows >= last] -= pieces
     return len(kept)
 
 
@@ -134,7 +149,7 @@ def resting_columns(t: Tables, pair_count: int) -> list[Any]:
     """Copies of what the resting pairs remember, for the digest of a world."""
     state = np.asarray(t.pairs.state)[:pair_count]
     at = np.flatnonzero(state == RESTING)
-    columns = [np.asarray(getattr(t.pairs, name))[at] for name in ("a", "b", "points", "carried")]
+    columns = [np.asarray(getattr(t.pairs, name))[at] for name in RESTING_STATE]
     for name in ("normal_impulse", "tangent_impulse"):
         column = np.asarray(getattr(t.contacts, name))
         for point in (0, 1):

@@ -36,9 +36,16 @@ TABLES: dict[str, Any] = {
 
 ROWS_OF = {
     "bodies.first": "corners",
-    "bodies.order": "bodies",
+    "bodies.first_piece": "pieces",
+    "pieces.body": "bodies",
+    "pieces.first": "corners",
+    "pieces.before": "pieces",
+    "pieces.after": "pieces",
+    "pieces.order": "pieces",
     "pairs.a": "bodies",
     "pairs.b": "bodies",
+    "pairs.piece_a": "pieces",
+    "pairs.piece_b": "pieces",
     "pushes.row": "bodies",
 }
 """Columns that hold rows of another table, which kernels trust."""
@@ -47,7 +54,8 @@ AT_MOST = {
     "pairs.points": 2,
     "pairs.state": 2,
     "pairs.queued": 1,
-    "bodies.one_sided": 1,
+    "bodies.moves": 1,
+    "pieces.one_sided": 1,
     "state.stale": 1,
 }
 """Largest value of columns that hold a choice or a small number."""
@@ -56,6 +64,8 @@ COUNTS = (
     "bodies.id",
     "bodies.held",
     "bodies.corners",
+    "bodies.pieces",
+    "pieces.corners",
     "pushes.id",
     "contacts.feature",
     "state.tick",
@@ -207,9 +217,14 @@ def _check_rows(tables: dict[str, Any]) -> None:
         if (column(where) > most).any():
             raise ValueError(f"{where} of a saved world must be at most {most}")
     bodies, pairs = tables["bodies"], tables["pairs"]
-    ends = bodies.first + bodies.corners
-    if (ends > rows["corners"]).any() or (bodies.corners < 1).any():
-        raise ValueError("the bodies of a saved world must have corners that are there")
+    for part in (bodies, tables["pieces"]):
+        if (part.first + part.corners > rows["corners"]).any() or (part.corners < 1).any():
+            raise ValueError("the bodies of a saved world must have corners that are there")
+    if (bodies.first_piece + bodies.pieces > rows["pieces"]).any() or (bodies.pieces < 1).any():
+        raise ValueError("the bodies of a saved world must have pieces that are there")
+    body = tables["pieces"].body
+    if (body[pairs.piece_a] != pairs.a).any() or (body[pairs.piece_b] != pairs.b).any():
+        raise ValueError("the pairs of a saved world must name pieces of the bodies they name")
     if rows["contacts"] != 2 * rows["pairs"] or (pairs.a >= pairs.b).any():
         raise ValueError("a saved world must have two contacts a pair, and pairs of two bodies")
     for name in NOT_NEGATIVE:
@@ -222,5 +237,5 @@ def _check_rows(tables: dict[str, Any]) -> None:
         following = getattr(state, f"next_{kind}")[0]
         if len(ids) and ids[-1] >= following:
             raise ValueError(f"next_{kind} of a saved world must be beyond {ids[-1]}")
-    if (np.diff(bodies.id) <= 0).any() or (np.diff(pairs.a << 32 | pairs.b) <= 0).any():
+    if (np.diff(bodies.id) <= 0).any() or (np.diff(pairs.piece_a << 32 | pairs.piece_b) <= 0).any():
         raise ValueError("the bodies and pairs of a saved world must stand in order, none twice")

@@ -7,21 +7,28 @@ from engine.tables import Bodies, Corners
 
 def place(bodies: Bodies, corners: Corners, row: int, time: float) -> None:
     """Put the corners of a body where they are at `time` of the present part of the tick (s)."""
-    if bodies.inverse_mass[row] == 0.0:
+    if bodies.moves[row] == 0:
         return
     passed = time - bodies.clock[row]
     half = passed * passed / 2.0
     x = bodies.x[row] + bodies.vx[row] * passed + bodies.path_x[row] * half
     y = bodies.y[row] + bodies.vy[row] * passed + bodies.path_y[row] * half
+    angle = bodies.angle[row] + bodies.spin[row] * passed + bodies.path_spin[row] * half
+    put(bodies, corners, row, x, y, angle)
+
+
+def put(bodies: Bodies, corners: Corners, row: int, x: float, y: float, angle: float) -> None:
+    """Put the corners of a body where they are if it stands at (x, y), turned by `angle`."""
     bodies.here_x[row] = x
     bodies.here_y[row] = y
+    first = bodies.first[row]
     count = bodies.corners[row]
-    if count == 1:
+    if count == 1:  # a disc, about the centre
+        corners.world_x[first] = x
+        corners.world_y[first] = y
         return
-    angle = bodies.angle[row] + bodies.spin[row] * passed + bodies.path_spin[row] * half
     cos = math.cos(angle)
     sin = math.sin(angle)
-    first = bodies.first[row]
     for i in range(first, first + count):
         local_x = corners.x[i]
         local_y = corners.y[i]
@@ -37,7 +44,7 @@ def advance(bodies: Bodies, row: int, time: float) -> None:
     """Move a body along its path to `time` of the present part of the tick (s)."""
     passed = time - bodies.clock[row]
     bodies.clock[row] = time
-    if passed == 0.0 or bodies.inverse_mass[row] == 0.0:
+    if passed == 0.0 or bodies.moves[row] == 0:
         return
     half = passed * passed / 2.0
     bodies.x[row] += bodies.vx[row] * passed + bodies.path_x[row] * half

@@ -7,7 +7,7 @@ impact; there is no speed below which bodies do not bounce.
 
 from engine.contacts import kick, place_middle, prepare
 from engine.impacts import acceleration, stays, strike
-from engine.meeting import STILL, approach_at, notice_passing
+from engine.meeting import STILL, approach_at, notice_passing, wall_of
 from engine.pose import velocity_at
 from engine.tables import FREE, RESTING, Tables
 
@@ -62,21 +62,18 @@ def nearly_touch(t: Tables, pair: int) -> bool:
     a = t.pairs.a[pair]
     b = t.pairs.b[pair]
     slack = TOUCHING * t.pairs.size[pair]
-    if bodies.inverse_mass[a] > 0.0 and bodies.inverse_mass[b] > 0.0:
+    wall = wall_of(t, pair)
+    if wall < 0:
         x = bodies.x[b] - bodies.x[a]
         y = bodies.y[b] - bodies.y[a]
         reach = bodies.reach[a] + bodies.reach[b] + slack
         return x * x + y * y <= reach * reach
-    wall = a
-    body = b
-    if bodies.inverse_mass[b] == 0.0:
-        wall = b
-        body = a
-    first = bodies.first[wall]
+    body = a + b - t.pieces.body[wall]
+    first = t.pieces.first[wall]
     above = t.corners.world_normal_x[first] * (
         bodies.x[body] - t.corners.world_x[first]
     ) + t.corners.world_normal_y[first] * (bodies.y[body] - t.corners.world_y[first])
-    reach = bodies.reach[body] + slack
+    reach = bodies.reach[body] + t.pieces.radius[wall] + slack
     return -reach <= above <= reach
 
 

@@ -9,6 +9,27 @@ from typing import Any
 from engine import validate
 from engine.vector import Vector
 
+ORIGIN = Vector(0.0, 0.0)
+"""Centre of mass of every body, in its own frame (m)."""
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A convex part of a shape, as the tables keep it: the hull of some corners, rounded."""
+
+    corners: tuple[Vector, ...]
+    """One for a disc, two for a line, three and more, counter-clockwise, for a polygon (m)."""
+    center: Vector = ORIGIN
+    """A point inside, about which it is bounded (m)."""
+    radius: float = 0.0
+    """By which it is rounded (m)."""
+    one_sided: bool = False
+    """Whether a line stops only what comes from its left."""
+    before: int = 0
+    """Which piece of the shape joins the first corner of this link of a chain, from 1; 0: none."""
+    after: int = 0
+    """The same for the second corner."""
+
 
 @dataclass(frozen=True)
 class _Round:
@@ -25,6 +46,11 @@ class _Round:
     def area(self) -> float:
         """(m^2)"""
         return math.pi * self.radius * self.radius
+
+    @property
+    def pieces(self) -> tuple[Piece, ...]:
+        """The disc."""
+        return (Piece((ORIGIN,), radius=self.radius),)
 
 
 @dataclass(frozen=True)
@@ -95,6 +121,11 @@ class Polygon:
         y = validate.positive(height, "height") / 2.0
         return cls([(-x, -y), (x, -y), (x, y), (-x, y)])
 
+    @property
+    def pieces(self) -> tuple[Piece, ...]:
+        """The polygon."""
+        return (Piece(self.vertices),)
+
     def inertia(self, mass: float) -> float:
         """Mass moment of inertia about the centroid (kg m^2)."""
         return mass * self.gyration
@@ -129,6 +160,11 @@ class Wall:
         x, y = self.end.x - self.start.x, self.end.y - self.start.y
         length = math.sqrt(x * x + y * y)
         return Vector(-y / length, x / length)
+
+    @property
+    def pieces(self) -> tuple[Piece, ...]:
+        """The wall, in world coordinates."""
+        return (Piece((self.start, self.end), self.middle, one_sided=self.one_sided),)
 
     @property
     def middle(self) -> Vector:

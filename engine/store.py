@@ -7,11 +7,11 @@ import numpy as np
 from engine import snapshot as snapshots
 from engine.body import Body
 from engine.collision import Removed
-from engine.enrol import write_body
+from engine.enrol import corners_of, write_body
 from engine.pairing import forget, link, resting_columns
 from engine.shapes import Shape
 from engine.snapshot import Snapshot
-from engine.tables import Counts, Tables, arrays, grow, new_tables, remove_row, views
+from engine.tables import Counts, Tables, arrays, grow, new_tables, remove_rows, views
 
 
 class Store:
@@ -54,11 +54,11 @@ class Store:
         getattr(self.tables.counts, table)[0] = row + 1
         return row
 
-    def drop(self, table: str, row: int) -> None:
-        """Remove a row; those after it move up."""
+    def drop(self, table: str, row: int, number: int = 1) -> None:
+        """Remove a row, or several from there on; those after them move up."""
         rows = self.count(table)
-        remove_row(getattr(self.tables, table), row, rows)
-        getattr(self.tables.counts, table)[0] = rows - 1
+        remove_rows(getattr(self.tables, table), row, number, rows)
+        getattr(self.tables.counts, table)[0] = rows - number
 
     def new_id(self, kind: str) -> int:
         """Hand out the next id of a "body" or a "push"; none is used twice."""
@@ -87,10 +87,12 @@ class Store:
 
     def add_body(self, body: Body, shape: Shape, values: dict[str, float]) -> None:
         """Write a new body, the columns that were given for it and its shape, to a new row."""
-        row, corner = self.count("bodies"), self.count("corners")
-        self.tables, corner = write_body(self.tables, shape, body.id, row, corner, values)
-        counts = self.tables.counts
-        counts.bodies[0], counts.corners[0] = row + 1, corner
+        row, piece, corner = (self.count(name) for name in ("bodies", "pieces", "corners"))
+        ends = (row + 1, piece + len(shape.pieces), corner + corners_of(shape))
+        for name, rows in zip(("bodies", "pieces", "corners"), ends, strict=True):
+            self.make_room(name, rows)
+            getattr(self.tables.counts, name)[0] = rows
+        write_body(self.tables, shape, body.id, row, piece, corner, values)
         self.handles.append(body)
         self.rows[body.id] = row
 
@@ -101,15 +103,20 @@ class Store:
             if self.tables.pushes.row[i] == row:
                 self.drop("pushes", i)
         close_gap(self.tables.pushes.row, self.count("pushes"), row, 1)
-        first, corners = self.tables.bodies.first[row], self.tables.bodies.corners[row]
-        for _ in range(corners):
-            self.drop("corners", first)
-        self.drop("bodies", row)
-        close_gap(self.tables.bodies.first, self.count("bodies"), first, corners)
         self._count_pairs(forget(self.tables, self.count("pairs"), row))
+        bodies, pieces = self.tables.bodies, self.tables.pieces
+        first, corners = bodies.first[row], bodies.corners[row]
+        first_piece, number = bodies.first_piece[row], bodies.pieces[row]
+        self.drop("corners", first, corners)
+        self.drop("pieces", first_piece, number)
+        self.drop("bodies", row)
+        close_gap(bodies.first, self.count("bodies"), first, corners)
+        close_gap(bodies.first_piece, self.count("bodies"), first_piece, number)
+        close_gap(pieces.first, self.count("pieces"), first, corners)
+        close_gap(pieces.body, self.count("pieces"), row, 1)
+        np.asarray(pieces.order)[: self.count("pieces")] = np.arange(self.count("pieces"))
         del self.handles[row]
         self.rows = {handle.id: i for i, handle in enumerate(self.handles)}
-        np.asarray(self.tables.bodies.order)[: len(self.handles)] = np.arange(len(self.handles))
 
     def use_pairs(self, tables: Tables, pairs: int) -> None:
         """Take over a new list of pairs."""

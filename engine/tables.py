@@ -46,7 +46,7 @@ class Bodies(NamedTuple):
 
     id: Ints
     x: Floats
-    """Centre of mass (m); 0 for a wall, whose vertices are in world coordinates."""
+    """Centre of mass (m); 0 for a wall, whose corners are in world coordinates."""
     y: Floats
     angle: Floats
     """Counter-clockwise (rad)."""
@@ -58,7 +58,7 @@ class Bodies(NamedTuple):
     mass: Floats
     """(kg); infinite for a wall."""
     inverse_mass: Floats
-    """(1/kg); 0 makes a body immovable."""
+    """(1/kg); 0 makes a body deaf to forces and impulses."""
     inertia: Floats
     """(kg m^2); infinite for walls and particles."""
     inverse_inertia: Floats
@@ -73,18 +73,16 @@ class Bodies(NamedTuple):
     held: Ints
     """Number of resting contacts at the end of the last tick."""
 
+    moves: Ints
+    """0 for a body that stays where it is: its corners are placed once, when it is added."""
     first: Ints
-    """First row in `Corners`."""
+    """First row in `Corners`, and number of rows: the corners of all its pieces."""
     corners: Ints
-    """Number of rows in `Corners`: 1 for round bodies, 2 for walls, 3 and more for polygons."""
-    radius: Floats
-    """By which the hull of the corners is rounded (m): that of circles and particles."""
+    first_piece: Ints
+    """First row in `Pieces`, and number of rows."""
+    pieces: Ints
     reach: Floats
-    """Radius of the bounding circle about the centre (m)."""
-    inner: Floats
-    """Radius of a circle that fits inside (m); 0 for walls."""
-    one_sided: Ints
-    """1 for a wall that stops only what comes from its positive side."""
+    """Radius of the bounding circle about the centre (m); of no use for walls."""
 
     ax: Floats
     """Mean acceleration of this tick by pushes, gravity and drag (m/s^2)."""
@@ -118,19 +116,58 @@ class Bodies(NamedTuple):
     """Position for which the body was last placed (m)."""
     here_y: Floats
     low_x: Floats
-    """Box in which the body may move while the list of pairs holds (m)."""
+    """Box in which a body that moves may move while the list of pairs holds (m)."""
     low_y: Floats
     high_x: Floats
     high_y: Floats
-    order: Ints
-    """Rows sorted by `low_x`."""
+    low_angle: Floats
+    """Angles between which a body of several pieces may turn meanwhile (rad)."""
+    high_angle: Floats
     first_link: Ints
     """First row in `Links`, and number of rows: the pairs of this body."""
     links: Ints
 
 
+class Pieces(NamedTuple):
+    """One row a convex piece of a body, in the order of bodies; most bodies have one.
+
+    A piece is the hull of its corners, rounded by a radius.
+    """
+
+    body: Ints
+    """Row of the body."""
+    first: Ints
+    """First row in `Corners`."""
+    corners: Ints
+    """Number of rows: 1 makes a disc, 2 a line (a wall, or a capsule), 3 and more a polygon."""
+    radius: Floats
+    """By which the hull of the corners is rounded (m)."""
+    inner: Floats
+    """Radius of a circle that fits inside (m); 0 for walls."""
+    x: Floats
+    """Centre of a bounding circle, in the body's frame (m)."""
+    y: Floats
+    reach: Floats
+    """Radius of that circle (m)."""
+    swing: Floats
+    """Greatest distance of its points from the body's centre (m); 0 for a disc about it."""
+    one_sided: Ints
+    """1 for a wall that stops only what comes from its positive side."""
+    before: Ints
+    """Which piece of the body joins the first corner of this link of a chain, from 1; 0: none."""
+    after: Ints
+    """The same for the second corner."""
+    low_x: Floats
+    """Box in which the piece may be while the list of pairs holds (m)."""
+    low_y: Floats
+    high_x: Floats
+    high_y: Floats
+    order: Ints
+    """Rows sorted by `low_x`."""
+
+
 class Corners(NamedTuple):
-    """Corners of all bodies, those of one body in sequence, counter-clockwise."""
+    """Corners of all pieces, those of one piece in sequence, counter-clockwise."""
 
     x: Floats
     """In the body's frame (m)."""
@@ -164,10 +201,14 @@ class Pushes(NamedTuple):
 
 
 class Pairs(NamedTuple):
-    """One row two bodies whose boxes overlap, sorted by (a, b); a < b are rows of `Bodies`."""
+    """One row two pieces of two bodies whose boxes overlap, sorted by (piece_a, piece_b)."""
 
     a: Ints
+    """Rows of `Bodies`, a < b."""
     b: Ints
+    piece_a: Ints
+    """Rows of `Pieces`."""
+    piece_b: Ints
     restitution: Floats
     friction: Floats
     size: Floats
@@ -267,6 +308,7 @@ class Counts(NamedTuple):
     """
 
     bodies: Ints
+    pieces: Ints
     corners: Ints
     pushes: Ints
     pairs: Ints
@@ -296,6 +338,7 @@ class Tables(NamedTuple):
     """All that varies in a world, and what the kernels of a step write down on the way."""
 
     bodies: Bodies
+    pieces: Pieces
     corners: Corners
     pushes: Pushes
     pairs: Pairs
@@ -319,6 +362,7 @@ IMPACTS_AT_ONCE = 4096
 
 ROWS = {
     "bodies": 16,
+    "pieces": 16,
     "corners": 64,
     "pushes": 8,
     "pairs": 64,
@@ -367,9 +411,10 @@ def views(table: Table) -> Table:
     return type(table)(*(memoryview(column) for column in arrays(table)))
 
 
-def remove_row(table: Any, row: int, rows: int) -> None:
-    """Close the gap that `row` leaves among the first `rows`; the last leaves none."""
-    if row == rows - 1:
+def remove_rows(table: Any, row: int, number: int, rows: int) -> None:
+    """Close the gap that `number` rows from `row` on leave among the first `rows`."""
+    after = row + number
+    if after == rows:
         return
     for column in arrays(table):
-        column[row : rows - 1] = column[row + 1 : rows]
+        column[row : rows - number] = column[after:rows]

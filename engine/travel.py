@@ -225,8 +225,10 @@ def dequeue(t: Tables, pair: int, queued: int) -> int:
 def has_escaped(t: Tables, row: int, lasts: float) -> bool:
     """Whether a body may leave its box before the tick is over, in `lasts` seconds."""
     bodies = t.bodies
-    if bodies.inverse_mass[row] == 0.0:
+    if bodies.moves[row] == 0:
         return False
+    if bodies.pieces[row] > 1 and turns_out(bodies, row, lasts):
+        return True
     way_x, way_y = farthest(t, row, lasts)
     return (
         bodies.x[row] - way_x < bodies.low_x[row]
@@ -234,6 +236,18 @@ def has_escaped(t: Tables, row: int, lasts: float) -> bool:
         or bodies.y[row] - way_y < bodies.low_y[row]
         or bodies.y[row] + way_y > bodies.high_y[row]
     )
+
+
+def turns_out(bodies: Bodies, row: int, lasts: float) -> bool:
+    """Whether a body of several pieces may turn further than their boxes hold for."""
+    turn = farthest_turn(bodies, row, lasts)
+    angle = bodies.angle[row]
+    return angle - turn < bodies.low_angle[row] or angle + turn > bodies.high_angle[row]
+
+
+def farthest_turn(bodies: Bodies, row: int, lasts: float) -> float:
+    """How far a body may turn in any direction within `lasts` seconds (rad)."""
+    return (abs(bodies.spin[row]) + abs(bodies.aspin[row]) * lasts) * lasts
 
 
 def farthest(t: Tables, row: int, lasts: float) -> tuple[float, float]:

@@ -329,8 +329,7 @@ class World:
     def _find_pairs(self, dt: float) -> None:
         """List the pairs that may touch in this tick."""
         rules = (self.restitution_rule, self.friction_rule)
-        count, pairs = len(self.store.handles), self.store.count("pairs")
-        self.store.use_pairs(*pair_up(self.tables, count, pairs, dt, rules, self._kernels))
+        self.store.use_pairs(*pair_up(self.tables, dt, rules, self._kernels))
 
     def _move(self, dt: float) -> list[Collision]:
         """Move all bodies through the tick, along their paths and from impact to impact."""

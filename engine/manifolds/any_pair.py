@@ -7,28 +7,28 @@ from engine.tables import Tables
 
 
 def touching_points(t: Tables, pair: int) -> int:
-    """Write to `Touch` where the two placed bodies of a pair are closest; return the points."""
-    a = t.pairs.a[pair]
-    b = t.pairs.b[pair]
-    if t.bodies.corners[a] == 1:
-        if t.bodies.corners[b] == 1:
-            return round_round(t.bodies, t.touch, a, b)
-        return round_hull(t.bodies, t.corners, t.touch, a, b, True)
-    if t.bodies.corners[b] == 1:
-        return round_hull(t.bodies, t.corners, t.touch, b, a, False)
-    return hull_hull(t.bodies, t.corners, t.touch, a, b, 1e-6 * t.pairs.size[pair])
+    """Write to `Touch` where the two placed pieces of a pair are closest; return the points."""
+    a = t.pairs.piece_a[pair]
+    b = t.pairs.piece_b[pair]
+    if t.pieces.corners[a] == 1:
+        if t.pieces.corners[b] == 1:
+            return round_round(t.pieces, t.corners, t.touch, a, b)
+        return round_hull(t.pieces, t.corners, t.touch, a, b, True)
+    if t.pieces.corners[b] == 1:
+        return round_hull(t.pieces, t.corners, t.touch, b, a, False)
+    return hull_hull(t.pieces, t.corners, t.touch, a, b, 1e-6 * t.pairs.size[pair])
 
 
 def gap_between(t: Tables, pair: int) -> float:
-    """Distance of the surfaces of the two placed bodies of a pair (m), negative if they overlap."""
-    a = t.pairs.a[pair]
-    b = t.pairs.b[pair]
-    if t.bodies.corners[a] == 1:
-        if t.bodies.corners[b] == 1:
-            return round_round_gap(t.bodies, a, b)
-        distance, _, _ = closest(t.bodies, t.corners, a, b)
-        return distance - t.bodies.radius[a]
-    if t.bodies.corners[b] == 1:
-        distance, _, _ = closest(t.bodies, t.corners, b, a)
-        return distance - t.bodies.radius[b]
-    return hull_hull_gap(t.bodies, t.corners, a, b)
+    """Distance of the surfaces of the two placed pieces of a pair (m), negative if they overlap."""
+    a = t.pairs.piece_a[pair]
+    b = t.pairs.piece_b[pair]
+    if t.pieces.corners[a] == 1:
+        if t.pieces.corners[b] == 1:
+            return round_round_gap(t.pieces, t.corners, a, b)
+        distance, _, _ = closest(t.pieces, t.corners, a, b)
+        return distance - t.pieces.radius[a]
+    if t.pieces.corners[b] == 1:
+        distance, _, _ = closest(t.pieces, t.corners, b, a)
+        return distance - t.pieces.radius[b]
+    return hull_hull_gap(t.pieces, t.corners, a, b)

@@ -6,22 +6,22 @@ it most is the incident one, and it is clipped by the ends of the reference side
 Hodgman): what remains of it lies in front of or behind the reference side by the contact's gap.
 """
 
-from engine.tables import Bodies, Corners, Touch
+from engine.tables import Corners, Pieces, Touch
 
 
 def furthest_side(
-    bodies: Bodies, corners: Corners, a: int, b: int, least: float
+    pieces: Pieces, corners: Corners, a: int, b: int, least: float
 ) -> tuple[float, int]:
     """The side of hull `a` that sees hull `b` furthest out: its separation (m) and its row.
 
     Sides that cannot reach `least` are left early; if none does, the separation is below `least`.
     """
-    first_a = bodies.first[a]
-    first_b = bodies.first[b]
-    end_b = first_b + bodies.corners[b]
+    first_a = pieces.first[a]
+    first_b = pieces.first[b]
+    end_b = first_b + pieces.corners[b]
     best = -1e300
     side = first_a
-    for i in range(first_a, first_a + bodies.corners[a]):
+    for i in range(first_a, first_a + pieces.corners[a]):
         normal_x = corners.world_normal_x[i]
         normal_y = corners.world_normal_y[i]
         base = normal_x * corners.world_x[i] + normal_y * corners.world_y[i]
@@ -39,37 +39,37 @@ def furthest_side(
     return best, side
 
 
-def hull_hull_gap(bodies: Bodies, corners: Corners, a: int, b: int) -> float:
+def hull_hull_gap(pieces: Pieces, corners: Corners, a: int, b: int) -> float:
     """Separation of two placed hulls along the best axis (m): at most their distance."""
-    of_a, _ = furthest_side(bodies, corners, a, b, -1e300)
-    of_b, _ = furthest_side(bodies, corners, b, a, of_a)
+    of_a, _ = furthest_side(pieces, corners, a, b, -1e300)
+    of_b, _ = furthest_side(pieces, corners, b, a, of_a)
     return of_b if of_b > of_a else of_a
 
 
-def hull_hull(bodies: Bodies, corners: Corners, touch: Touch, a: int, b: int, tie: float) -> int:
+def hull_hull(pieces: Pieces, corners: Corners, touch: Touch, a: int, b: int, tie: float) -> int:
     """Write the one or two points where two placed hulls are closest; return their number.
 
     A side of b is the reference only if it sees a further out than any of a sees b by `tie` (m).
     """
-    of_a, side_a = furthest_side(bodies, corners, a, b, -1e300)
-    of_b, side_b = furthest_side(bodies, corners, b, a, of_a + tie)
+    of_a, side_a = furthest_side(pieces, corners, a, b, -1e300)
+    of_b, side_b = furthest_side(pieces, corners, b, a, of_a + tie)
     if of_b > of_a + tie:
-        points = clip(bodies, corners, touch, b, a, side_b)
+        points = clip(pieces, corners, touch, b, a, side_b)
         touch.normal_x[0] = -touch.normal_x[0]
         touch.normal_y[0] = -touch.normal_y[0]
         for i in range(points):  # a feature is (corner of a, corner of b), whoever is reference
             reference = touch.feature[i] // 4096
             touch.feature[i] = (touch.feature[i] - reference * 4096) * 4096 + reference
         return points
-    return clip(bodies, corners, touch, a, b, side_a)
+    return clip(pieces, corners, touch, a, b, side_a)
 
 
 def clip(
-    bodies: Bodies, corners: Corners, touch: Touch, reference: int, incident: int, side: int
+    pieces: Pieces, corners: Corners, touch: Touch, reference: int, incident: int, side: int
 ) -> int:
     """Clip the incident side by the ends of the reference side; write what remains of it."""
-    first = bodies.first[reference]
-    following = side + 1 if side + 1 < first + bodies.corners[reference] else first
+    first = pieces.first[reference]
+    following = side + 1 if side + 1 < first + pieces.corners[reference] else first
     normal_x = corners.world_normal_x[side]
     normal_y = corners.world_normal_y[side]
     start_x = corners.world_x[side]
@@ -77,9 +77,9 @@ def clip(
     length = (corners.world_y[following] - start_y) * normal_x - (
         corners.world_x[following] - start_x
     ) * normal_y
-    facing = facing_side(bodies, corners, incident, normal_x, normal_y)
-    first_incident = bodies.first[incident]
-    end = facing + 1 if facing + 1 < first_incident + bodies.corners[incident] else first_incident
+    facing = facing_side(pieces, corners, incident, normal_x, normal_y)
+    first_incident = pieces.first[incident]
+    end = facing + 1 if facing + 1 < first_incident + pieces.corners[incident] else first_incident
     # Along the reference side from its start, and above it; the incident side runs backwards.
     from_x = corners.world_x[end] - start_x
     from_y = corners.world_y[end] - start_y
@@ -115,13 +115,13 @@ def clip(
 
 
 def facing_side(
-    bodies: Bodies, corners: Corners, hull: int, normal_x: float, normal_y: float
+    pieces: Pieces, corners: Corners, hull: int, normal_x: float, normal_y: float
 ) -> int:
     """Row of the side of a placed hull that faces a normal most."""
-    first = bodies.first[hull]
+    first = pieces.first[hull]
     side = first
     least = 2.0
-    for i in range(first, first + bodies.corners[hull]):
+    for i in range(first, first + pieces.corners[hull]):
         cosine = corners.world_normal_x[i] * normal_x + corners.world_normal_y[i] * normal_y
         if cosine < least:
             least = cosine

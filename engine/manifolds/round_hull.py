@@ -2,17 +2,17 @@
 
 import math
 
-from engine.tables import Bodies, Corners, Touch
+from engine.tables import Corners, Pieces, Touch
 
 
-def closest(bodies: Bodies, corners: Corners, disc: int, hull: int) -> tuple[float, float, float]:
+def closest(pieces: Pieces, corners: Corners, disc: int, hull: int) -> tuple[float, float, float]:
     """Distance of a placed disc's centre from a placed hull (m), negative inside, and the unit
     normal from the hull to the centre.
     """
-    first = bodies.first[hull]
-    count = bodies.corners[hull]
-    x = bodies.here_x[disc]
-    y = bodies.here_y[disc]
+    first = pieces.first[hull]
+    count = pieces.corners[hull]
+    x = corners.world_x[pieces.first[disc]]
+    y = corners.world_y[pieces.first[disc]]
     side = first
     height = -1e300
     for i in range(first, first + count):
@@ -48,14 +48,15 @@ def from_corner(x: float, y: float, normal_x: float, normal_y: float) -> tuple[f
 
 
 def round_hull(
-    bodies: Bodies, corners: Corners, touch: Touch, disc: int, hull: int, disc_is_a: bool
+    pieces: Pieces, corners: Corners, touch: Touch, disc: int, hull: int, disc_is_a: bool
 ) -> int:
     """Write the point where a placed disc and a placed hull are closest; return 1."""
-    distance, normal_x, normal_y = closest(bodies, corners, disc, hull)
-    gap = distance - bodies.radius[disc]
-    out = bodies.radius[disc] + gap / 2.0
-    touch.x[0] = bodies.here_x[disc] - out * normal_x
-    touch.y[0] = bodies.here_y[disc] - out * normal_y
+    distance, normal_x, normal_y = closest(pieces, corners, disc, hull)
+    gap = distance - pieces.radius[disc]
+    out = pieces.radius[disc] + gap / 2.0
+    center = pieces.first[disc]
+    touch.x[0] = corners.world_x[center] - out * normal_x
+    touch.y[0] = corners.world_y[center] - out * normal_y
     touch.gap[0] = gap
     touch.feature[0] = 0
     if disc_is_a:
