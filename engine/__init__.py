@@ -3,6 +3,7 @@
 from engine.body import Body
 from engine.bulk import Tracks
 from engine.collision import Collision, Diverged, Removed
+from engine.force_laws import ActingLaw, PointGravity, SpringTo
 from engine.forces import Force, LinearDrag, Push, QuadraticDrag, Torque
 from engine.recording import Recording
 from engine.replay import Divergence, replay
@@ -14,6 +15,7 @@ from engine.world import World
 
 __all__ = [
     "TICK",
+    "ActingLaw",
     "Body",
     "Circle",
     "Collision",
@@ -22,6 +24,7 @@ __all__ = [
     "Force",
     "LinearDrag",
     "Particle",
+    "PointGravity",
     "Polygon",
     "Push",
     "QuadraticDrag",
@@ -29,6 +32,7 @@ __all__ = [
     "Removed",
     "Shape",
     "Snapshot",
+    "SpringTo",
     "Torque",
     "Tracks",
     "Vector",

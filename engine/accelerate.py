@@ -15,25 +15,44 @@ Impacts happen at the velocity of the parabola, so that all four bounce truly.
 
 import math
 
+from engine.fields import EVERY_BODY, immerse, slowed
 from engine.settings import EXPLICIT_EULER, RK4, SEMI_IMPLICIT_EULER, Laws
-from engine.tables import Bodies, Pushes
+from engine.tables import Bodies, Fields, Pushes
 
 
 def accelerate(
-    bodies: Bodies, count: int, pushes: Pushes, pushing: int, laws: Laws, dt: float
+    bodies: Bodies,
+    count: int,
+    pushes: Pushes,
+    pushing: int,
+    fields: Fields,
+    laws: Laws,
+    dt: float,
 ) -> None:
     """Set mean accelerations, leads and mean forces of this tick; use up the time of the pushes."""
     for row in range(count):
         bodies.ax[row] = bodies.ay[row] = bodies.aspin[row] = 0.0
         bodies.lead_x[row] = bodies.lead_y[row] = bodies.lead_spin[row] = 0.0
     push(bodies, pushes, pushing, dt)
+    fielded = fields.used[0]
+    everyone = 0
+    while everyone < fielded and fields.row[everyone] == EVERY_BODY:
+        everyone += 1
+    first = everyone
     for row in range(count):
+        last = first
+        while last < fielded and fields.row[last] == row:
+            last += 1
         if bodies.inverse_mass[row] > 0.0:
-            resist(bodies, row, laws, dt)
+            if everyone > 0 or last > first:
+                immerse(bodies, row, fields, everyone, first, last, laws, dt)
+            else:
+                resist(bodies, row, laws, dt)
             bodies.force_x[row] = bodies.mass[row] * bodies.ax[row]
             bodies.force_y[row] = bodies.mass[row] * bodies.ay[row]
             if bodies.held[row] > 0:
                 bodies.lead_x[row] = bodies.lead_y[row] = bodies.lead_spin[row] = 0.0
+        first = last
 
 
 def push(bodies: Bodies, pushes: Pushes, pushing: int, dt: float) -> None:
@@ -76,8 +95,9 @@ def push(bodies: Bodies, pushes: Pushes, pushing: int, dt: float) -> None:
 
 def resist(bodies: Bodies, row: int, laws: Laws, dt: float) -> None:
     """Add gravity and drag by the world's integrator, and its lead."""
-    ax = bodies.ax[row] + laws.gravity_x
-    ay = bodies.ay[row] + laws.gravity_y
+    scale = bodies.gravity_scale[row]
+    ax = bodies.ax[row] + scale * laws.gravity_x
+    ay = bodies.ay[row] + scale * laws.gravity_y
     vx = bodies.vx[row]
     vy = bodies.vy[row]
     linear = laws.linear_drag * bodies.inverse_mass[row]
@@ -107,15 +127,3 @@ def resist(bodies: Bodies, row: int, laws: Laws, dt: float) -> None:
         bodies.ay[row] = (k1y + k2y) / 2.0
         bodies.lead_x[row] += (k1x - k2x) / 2.0 * half
         bodies.lead_y[row] += (k1y - k2y) / 2.0 * half
-
-
-def slowed(
-    ax: float, ay: float, vx: float, vy: float, linear: float, quadratic: float
-) -> tuple[float, float]:
-    """Acceleration at a velocity: the given one less drag, k/m v or k/m |v| v."""
-    if linear > 0.0:
-        return ax - linear * vx, ay - linear * vy
-    if quadratic > 0.0:
-        drag = quadratic * math.sqrt(vx * vx + vy * vy)
-        return ax - drag * vx, ay - drag * vy
-    return ax, ay

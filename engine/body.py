@@ -165,6 +165,17 @@ class Body:
         self._world.displaced()
 
     @property
+    def gravity_scale(self) -> float:
+        """By which the gravity of the world is multiplied for this body; laws of force are not."""
+        return self._world.bodies.gravity_scale[self._row()]
+
+    @gravity_scale.setter
+    @noted
+    def gravity_scale(self, value: Any) -> None:
+        row = self._movable("gravity_scale")
+        self._world.bodies.gravity_scale[row] = validate.finite(value, "gravity_scale")
+
+    @property
     def momentum(self) -> Vector:
         """(kg m/s); zero for a wall."""
         if self.is_wall:

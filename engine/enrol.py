@@ -18,7 +18,7 @@ def initial_values(shape: Shape, given: dict[str, Any]) -> dict[str, float]:
     Args:
         shape: of the body.
         given: mass, inertia, position, angle, velocity, spin (each None if not given),
-            restitution and friction.
+            restitution, friction and gravity_scale.
     """
     kinematic = ("mass", "position", "angle", "velocity", "spin", "inertia")
     if isinstance(shape, Wall):
@@ -30,6 +30,7 @@ def initial_values(shape: Shape, given: dict[str, Any]) -> dict[str, float]:
     return {
         "restitution": validate.fraction(given["restitution"], "restitution"),
         "friction": validate.not_negative(given["friction"], "friction"),
+        "gravity_scale": validate.finite(given["gravity_scale"], "gravity_scale"),
         **_inertness(shape, given["mass"], given["inertia"]),
         **_motion(given["position"], given["angle"], given["velocity"], given["spin"]),
     }

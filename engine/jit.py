@@ -27,6 +27,7 @@ SOURCES = (
     "accelerate",
     "broadphase",
     "contacts",
+    "fields",
     "impacts",
     "manifolds.any_pair",
     "manifolds.hull_hull",

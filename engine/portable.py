@@ -11,6 +11,7 @@ import numpy as np
 
 from engine import validate
 from engine.body import Body
+from engine.force_laws import ActingLaw, PointGravity, SpringTo, checked_law
 from engine.forces import Force, LinearDrag, QuadraticDrag, Torque
 from engine.plain import INFINITIES, Decoder, Functions, encode
 from engine.settings import INTEGRATORS, Laws, geometric_mean, larger
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 FORMAT = 1
 """Version of the data; other versions are refused."""
 
-KINDS = (*get_args(Shape), Force, Torque, LinearDrag, QuadraticDrag)
+KINDS = (*get_args(Shape), Force, Torque, LinearDrag, QuadraticDrag, PointGravity, SpringTo)
 """Dataclasses that may stand in saved data."""
 
 TABLES: dict[str, Any] = {
@@ -72,6 +73,7 @@ COUNTS = (
     "state.ticks",
     "state.next_body",
     "state.next_push",
+    "state.next_law",
 )
 """Columns of other whole numbers, none negative."""
 
@@ -84,7 +86,7 @@ NOT_NEGATIVE = ("mass", "inverse_mass", "inertia", "inverse_inertia", "restituti
 RULES = {"restitution_rule": larger, "friction_rule": geometric_mean}
 """What makes the coefficients of a pair, unless told otherwise."""
 
-KEYS = ("format", "laws", "rules", "handles", "tables")
+KEYS = ("format", "laws", "rules", "handles", "force_laws", "tables")
 
 
 def to_dict(world: "World") -> dict[str, Any]:
@@ -98,6 +100,10 @@ def to_dict(world: "World") -> dict[str, Any]:
         "handles": [
             {"id": body.id, "name": body.name, "shape": encode(body.shape)}
             for body in saved.handles
+        ],
+        "force_laws": [
+            {"id": each.id, "law": encode(each.law), "bodies": _ids(each, world)}
+            for each in saved.force_laws
         ],
         "tables": {
             name: {
@@ -136,7 +142,15 @@ def refill(world: "World", data: dict[str, Any], functions: Functions) -> None:
         raise ValueError("the handles of a saved world must have the ids of its bodies, in order")
     counts = tuple(np.array([len(tables[name][0])]) for name in Counts._fields)
     columns = {name: arrays(table) for name, table in tables.items()}
-    world.restore(Snapshot(columns | {"counts": counts}, handles))
+    acting = _force_laws(world, data["force_laws"], decode, handles)
+    if acting and acting[-1].id >= tables["state"].next_law[0]:
+        raise ValueError(f"next_law of a saved world must be beyond {acting[-1].id}")
+    world.restore(Snapshot(columns | {"counts": counts}, handles, acting))
+
+
+def _ids(law: ActingLaw, world: "World") -> list[int] | None:
+    """Of the bodies on which a law acts, those that are still there."""
+    return None if law.bodies is None else [body.id for body in law.bodies if body in world]
 
 
 def _listed(values: Any) -> list[Any]:
@@ -177,6 +191,25 @@ def _handle(world: "World", data: Any, decode: Decoder) -> Body:
     if not isinstance(name, str) or not isinstance(shape, Shape):
         raise TypeError(f"a saved body must have a name and a shape, not {name!r} and {shape!r}")
     return Body(world, _number("id", id, True), shape, name)
+
+
+def _force_laws(
+    world: "World", data: Any, decode: Decoder, handles: tuple[Body, ...]
+) -> tuple[ActingLaw, ...]:
+    by_id = {body.id: body for body in handles}
+    acting: list[ActingLaw] = []
+    for each in validate.listed(data, "the laws of force of a saved world"):
+        validate.keys(each, ("id", "law", "bodies"), "a law of force of a saved world")
+        id, ids, bodies = _number("id", each["id"], True), each["bodies"], None
+        if ids is not None:
+            listed = validate.listed(ids, "the bodies of a law")
+            if not all(isinstance(i, int) and i in by_id for i in listed):
+                raise ValueError(f"law {id} acts on bodies {ids}, but not all of them are saved")
+            bodies = tuple(by_id[i] for i in listed)
+        if acting and id <= acting[-1].id:
+            raise ValueError("the laws of force of a saved world must stand in order, none twice")
+        acting.append(ActingLaw(world, id, checked_law(decode(each["law"])), bodies))
+    return tuple(acting)
 
 
 def _table(name: str, data: Any) -> Any:

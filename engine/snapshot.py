@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from engine.body import Body
+from engine.force_laws import ActingLaw
 from engine.tables import Bodies, Pushes, arrays
 
 STATE = (
@@ -15,6 +16,9 @@ STATE = (
     "force_x", "force_y", "torque", "held",
 )  # fmt: skip
 """The columns of `Bodies` that tell two worlds apart; the others follow from them."""
+
+UNUSUAL = {"gravity_scale": 1.0}
+"""More such columns, hashed only if a body differs from what most have."""
 
 
 @dataclass(frozen=True)
@@ -24,6 +28,7 @@ class Snapshot:
     tables: dict[str, tuple[Any, ...]]
     """Copies of the columns of each table that a world remembers, cut to the rows in use."""
     handles: tuple[Body, ...]
+    force_laws: tuple[ActingLaw, ...]
 
 
 def digest(
@@ -38,6 +43,11 @@ def digest(
     hashed.update(struct.pack(f"<{len(clock)}d", *clock))
     columns = [np.asarray(getattr(bodies, name))[:count] for name in STATE]
     columns += [column[:pushing] for column in arrays(pushes)]
+    for name, usual in UNUSUAL.items():
+        column = np.asarray(getattr(bodies, name))[:count]
+        if (column != usual).any():
+            hashed.update(name.encode())
+            columns.append(column)
     for column in [*columns, *rest]:
         kind = "<i8" if column.dtype.kind == "i" else "<f8"
         hashed.update(np.ascontiguousarray(column).astype(kind, copy=False).tobytes())

@@ -8,6 +8,7 @@ from engine import snapshot as snapshots
 from engine.body import Body
 from engine.collision import Removed
 from engine.enrol import corners_of, write_body
+from engine.force_laws import ActingLaw, field_columns, field_table
 from engine.pairing import forget, link, resting_columns
 from engine.shapes import Shape
 from engine.snapshot import Snapshot
@@ -21,7 +22,7 @@ class Store:
     saved and restored. The others are room for the kernels to write in.
     """
 
-    __slots__ = ("handles", "rows", "tables")
+    __slots__ = ("acting", "handles", "rows", "tables")
 
     def __init__(self) -> None:
         """Make an empty one."""
@@ -30,7 +31,10 @@ class Store:
         """The bodies in order of their rows, which is that of their ids."""
         self.rows: dict[int, int] = {}
         """Row of each body's id."""
-        self.tables.state.next_body[0] = self.tables.state.next_push[0] = 1
+        self.acting: dict[int, ActingLaw] = {}
+        """The laws of force by their ids; `Fields` lists them by rows."""
+        state = self.tables.state
+        state.next_body[0] = state.next_push[0] = state.next_law[0] = 1
 
     def count(self, table: str) -> int:
         """Number of rows in use."""
@@ -61,7 +65,7 @@ class Store:
         getattr(self.tables.counts, table)[0] = rows - number
 
     def new_id(self, kind: str) -> int:
-        """Hand out the next id of a "body" or a "push"; none is used twice."""
+        """Hand out the next id of a "body", a "push" or a "law"; none is used twice."""
         following = getattr(self.tables.state, f"next_{kind}")
         id: int = following[0]
         following[0] = id + 1
@@ -95,6 +99,7 @@ class Store:
         write_body(self.tables, shape, body.id, row, piece, corner, values)
         self.handles.append(body)
         self.rows[body.id] = row
+        self.list_fields()
 
     def remove_body(self, body: Body) -> None:
         """Take out a body with its corners, its pairs and all that pushes it."""
@@ -117,6 +122,7 @@ class Store:
         np.asarray(pieces.order)[: self.count("pieces")] = np.arange(self.count("pieces"))
         del self.handles[row]
         self.rows = {handle.id: i for i, handle in enumerate(self.handles)}
+        self.list_fields()
 
     def use_pairs(self, tables: Tables, pairs: int) -> None:
         """Take over a new list of pairs."""
@@ -128,6 +134,25 @@ class Store:
         self.tables.counts.pairs[0] = pairs
         self.tables.counts.contacts[0] = 2 * pairs
 
+    # Laws of force.
+
+    def add_law(self, law: ActingLaw) -> None:
+        """Let a law act."""
+        self.acting[law.id] = law
+        self.list_fields()
+
+    def remove_law(self, law: ActingLaw) -> None:
+        """Let a law act no more, if it does."""
+        if self.acting.get(law.id) is law:
+            del self.acting[law.id]
+            self.list_fields()
+
+    def list_fields(self) -> None:
+        """List anew which laws of force act on which rows."""
+        if self.acting or self.tables.fields.used[0]:
+            fields = field_table(tuple(self.acting.values()), self.rows, self.handles)
+            self.tables = self.tables._replace(fields=fields)
+
     # The whole.
 
     def snapshot(self) -> Snapshot:
@@ -137,7 +162,7 @@ class Store:
             name: tuple(column[:rows].copy() for column in arrays(getattr(self.tables, name)))
             for name, rows in used.items()
         }
-        return Snapshot(columns, tuple(self.handles))
+        return Snapshot(columns, tuple(self.handles), tuple(self.acting.values()))
 
     def restore(self, snapshot: Snapshot) -> None:
         """Go back to what a snapshot holds."""
@@ -149,6 +174,8 @@ class Store:
         self.tables = link(self.tables, self.count("bodies"), self.count("pairs"))
         self.handles = list(snapshot.handles)
         self.rows = {handle.id: i for i, handle in enumerate(self.handles)}
+        self.acting = {law.id: law for law in snapshot.force_laws}
+        self.list_fields()
 
     def digest(self) -> str:
         """Hash of the state (SHA-256, hexadecimal): equal for equal worlds on any machine."""
@@ -159,7 +186,7 @@ class Store:
             self.tables.pushes,
             self.count("pushes"),
             (float(state.tick[0]), self.time),
-            resting_columns(self.tables, self.count("pairs")),
+            resting_columns(self.tables, self.count("pairs")) + field_columns(self.tables.fields),
         )
 
     # The clock.

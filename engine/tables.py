@@ -65,6 +65,8 @@ class Bodies(NamedTuple):
     """(1/(kg m^2)); 0 keeps a body from turning."""
     restitution: Floats
     friction: Floats
+    gravity_scale: Floats
+    """By which the gravity of the world is multiplied for this body."""
     force_x: Floats
     """What acted during the last tick, contacts apart, as its mean over the tick (N)."""
     force_y: Floats
@@ -330,8 +332,37 @@ class State(NamedTuple):
     next_body: Ints
     """Id that the next body gets."""
     next_push: Ints
+    next_law: Ints
     stale: Ints
     """1 if the list of pairs is to be made anew, whatever the boxes say."""
+
+
+class Fields(NamedTuple):
+    """One row a law of force and body it acts on, sorted by body; first those that act on all."""
+
+    law: Ints
+    """Id of the law."""
+    row: Ints
+    """Of the body, or `fields.EVERY_BODY`."""
+    kind: Ints
+    """`fields.POINT_GRAVITY`, `fields.SPRING_TO`, or `fields.GIVEN` by a Python function."""
+    x: Floats
+    """Where the centre of the field is (m, world); if given: force at the start of the tick (N)."""
+    y: Floats
+    strength: Floats
+    """mu (m^3/s^2) or stiffness (N/m)."""
+    damping: Floats
+    """Of a spring (N s/m)."""
+    softening: Floats
+    """Of gravity (m)."""
+    torque: Floats
+    """If given: at the start of the tick (N m)."""
+    later_x: Floats
+    """If given: force and torque at the end of the tick."""
+    later_y: Floats
+    later_torque: Floats
+    used: Ints
+    """First row: how many rows are in use."""
 
 
 class Tables(NamedTuple):
@@ -348,6 +379,7 @@ class Tables(NamedTuple):
     impacts: Impacts
     counts: Counts
     state: State
+    fields: Fields
 
 
 FREE, RESTING, PASSING = 0, 1, 2

@@ -18,7 +18,7 @@ def start(
     Returns the row of a body that leaves the range of numbers, or `SOUND`, and whether the list of
     pairs holds for this tick.
     """
-    accelerate(t.bodies, count, pushes, pushing, laws, dt)
+    accelerate(t.bodies, count, pushes, pushing, t.fields, laws, dt)
     lost = runaway(t.bodies, count, dt)
     if lost != SOUND:
         return lost, False

@@ -5,10 +5,12 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 from engine import bulk, callbacks, collision, portable, validate
+from engine.asking import ask
 from engine.body import Body, OnCollision, OnMove
 from engine.bulk import Tracks
 from engine.collision import Collision, Diverged, Removed
 from engine.enrol import initial_values
+from engine.force_laws import ActingLaw, Law, checked_bodies, checked_law, energy_in_fields
 from engine.forces import Drag, Push
 from engine.inputs import noted
 from engine.jit import choose
@@ -122,6 +124,7 @@ class World:
         restitution: float = 0.0,
         friction: float = 0.0,
         inertia: float | None = None,
+        gravity_scale: float = 1.0,
         name: str | None = None,
         on_move: OnMove | None = None,
         on_collision: OnCollision | None = None,
@@ -136,6 +139,7 @@ class World:
         given = {"mass": mass, "position": position, "angle": angle, "velocity": velocity}
         given |= {"spin": spin, "inertia": inertia}
         given |= {"restitution": restitution, "friction": friction}
+        given |= {"gravity_scale": gravity_scale}
         values = initial_values(shape, given)
         id = self.store.new_id("body")
         kind = type(shape).__name__.lower()
@@ -151,9 +155,35 @@ class World:
         self.store.remove_body(body)
         self.displaced()
 
+    @noted
+    def add_law(self, law: Law, bodies: Iterable[Body] | None = None) -> ActingLaw:
+        """Let a law of force act from the next tick on; return it, to be removed again.
+
+        Args:
+            law: `PointGravity`, `SpringTo`, or a function of a body and the time (s) that returns
+                a `Force`, a `Torque`, (fx, fy), (fx, fy, torque) or None. A function must not
+                change the world. It is asked before each tick, and with velocity Verlet and
+                Runge-Kutta once more for the end of the tick: microseconds a body, where the
+                built-in laws cost nanoseconds.
+            bodies: on which it acts, on their centres; None: on all, also those added later.
+        """
+        law, named = checked_law(law), checked_bodies(self, bodies)
+        acting = ActingLaw(self, self.store.new_id("law"), law, named)
+        self.store.add_law(acting)
+        return acting
+
+    @property
+    def force_laws(self) -> tuple[ActingLaw, ...]:
+        """The laws of force that act, in the order in which they were added."""
+        return tuple(self.store.acting.values())
+
     def __iter__(self) -> Iterator[Body]:
         """The bodies, walls too, in the order of their ids."""
         return iter(list(self.store.handles))
+
+    def __contains__(self, body: object) -> bool:
+        """Whether a body is in this world."""
+        return isinstance(body, Body) and self.store.holds(body)
 
     def __len__(self) -> int:
         """Number of bodies, walls too."""
@@ -218,12 +248,11 @@ class World:
 
     @property
     def potential_energy(self) -> float:
-        """Of all bodies in the gravity, zero at the origin (J)."""
+        """Of all bodies in the gravity, zero at the origin, and in built-in laws of force (J)."""
         down = self.gravity
-        each = (
-            -body.mass * (down.x * body.x + down.y * body.y) for body in self if not body.is_wall
-        )
-        return math.fsum(each)
+        movable = [body for body in self if not body.is_wall]
+        each = [-b.mass * b.gravity_scale * (down.x * b.x + down.y * b.y) for b in movable]
+        return math.fsum(each + energy_in_fields(self.force_laws, movable))
 
     def snapshot(self) -> Snapshot:
         """Copy all that varies; `restore` brings it back bit for bit."""
@@ -319,6 +348,11 @@ class World:
 
     def _accelerate(self, dt: float) -> bool:
         """Let forces act for a tick; return whether the list of pairs holds."""
+        if any(law.is_python for law in self.store.acting.values()):
+            ask(self.store, self.laws.integrator, dt, self._let_forces_act)
+        return self._let_forces_act(dt)
+
+    def _let_forces_act(self, dt: float) -> bool:
         t, pushing = self._seen(), self.store.count("pushes")
         lost, pairs_hold = self._kernels.start(
             t, len(self.store.handles), t.pushes, pushing, self.laws, dt
