@@ -55,6 +55,9 @@ def strike(
     bounce = 1.0 if rests else 1.0 + restitution
     exchange(t, pair, one, other, bounce, now + time)
     t.pairs.struck[pair] = now + time
+    t.pairs.apart[pair] = 0.0
+    if rests and t.pairs.state[pair] != RESTING:
+        t.pairs.points[pair] = 0
     t.pairs.state[pair] = RESTING if rests else FREE
     return rests
 

@@ -28,6 +28,7 @@ SOURCES = (
     "broadphase",
     "contacts",
     "fields",
+    "following",
     "impacts",
     "manifolds.any_pair",
     "manifolds.hull_hull",

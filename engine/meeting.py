@@ -18,10 +18,55 @@ ZERO_GAP = 1e-10
 """Gap that counts as touching, as a share of the smaller body's reach."""
 
 
+def measure_ways(t: Tables, count: int, part: float) -> None:
+    """Bound how far any point of each body moves within the part (s)."""
+    bodies = t.bodies
+    for row in range(count):
+        speed = abs(bodies.vx[row]) + abs(bodies.vy[row])
+        speed += (abs(bodies.path_x[row]) + abs(bodies.path_y[row])) * part
+        swing = bodies.reach[row]
+        if bodies.pieces[row] == 1:
+            swing = t.pieces.swing[bodies.first_piece[row]]
+        speed += (abs(bodies.spin[row]) + abs(bodies.path_spin[row]) * part) * swing
+        bodies.way[row] = speed * part
+
+
+def find_meetings(t: Tables, pair_count: int, part: float) -> int:
+    """Find which free pairs meet within the part (s); queue them and return their number.
+
+    Pairs that are further apart than both bodies move are left at a glance.
+    """
+    pairs = t.pairs
+    way = t.bodies.way
+    one_sided = t.pieces.one_sided
+    queued = 0
+    for pair in range(pair_count):
+        if pairs.state[pair] != FREE:
+            continue
+        a = pairs.a[pair]
+        b = pairs.b[pair]
+        left = pairs.apart[pair] - way[a] - way[b]
+        if left > 0.0:
+            pairs.apart[pair] = left
+            continue
+        if one_sided[pairs.piece_a[pair]] == 1 or one_sided[pairs.piece_b[pair]] == 1:
+            notice_passing(t, pair)
+        find_meeting(t, pair, 0.0, part)
+        if pairs.meeting[pair] < NEVER:
+            pairs.queue[queued] = pair
+            pairs.queued[pair] = 1
+            queued += 1
+    return queued
+
+
 def find_meeting(t: Tables, pair: int, start: float, end: float) -> None:
-    """Set when the pair meets in the part of the tick from `start` to `end` (s), and how fast."""
+    """Set when the pair meets in the part of the tick from `start` to `end` (s), and how fast.
+
+    Notes as well how far apart the two are at least until then.
+    """
     pairs = t.pairs
     pairs.meeting[pair] = NEVER
+    pairs.apart[pair] = 0.0
     if pairs.state[pair] != FREE:
         return
     bodies = t.bodies
@@ -52,12 +97,16 @@ def find_meeting(t: Tables, pair: int, start: float, end: float) -> None:
         reach = bodies.reach[a] + bodies.reach[b]
         far = reach + bound * lasts
         if x * x + y * y > far * far:
+            pairs.apart[pair] = math.sqrt(x * x + y * y) - far
             return
         if ax == 0.0 and ay == 0.0 and both_discs(t, pair):
             discs_meet(t, pair, start, end, x, y, vx, vy, reach)
             return
-    elif misses_wall(t, wall, a + b - t.pieces.body[wall], start, bound * lasts):
-        return
+    else:
+        room = room_at_wall(t, wall, a + b - t.pieces.body[wall], start, bound * lasts)
+        if room > 0.0:
+            pairs.apart[pair] = room
+            return
     bound += rim_speed(t, a, t.pairs.piece_a[pair], lasts)
     bound += rim_speed(t, b, t.pairs.piece_b[pair], lasts)
     search(t, pair, start, end, bound)
@@ -81,8 +130,8 @@ def both_discs(t: Tables, pair: int) -> bool:
     return t.pieces.swing[a] == 0.0 and t.pieces.swing[b] == 0.0
 
 
-def misses_wall(t: Tables, wall: int, body: int, start: float, way: float) -> bool:
-    """Whether a body stays on its side of a wall's line, if it moves no further than `way` (m)."""
+def room_at_wall(t: Tables, wall: int, body: int, start: float, way: float) -> float:
+    """Distance that a body keeps from a wall's line, if it moves no further than `way` (m)."""
     bodies = t.bodies
     first = t.pieces.first[wall]
     passed = start - bodies.clock[body]
@@ -92,8 +141,8 @@ def misses_wall(t: Tables, wall: int, body: int, start: float, way: float) -> bo
     above = t.corners.world_normal_x[first] * (
         x - t.corners.world_x[first]
     ) + t.corners.world_normal_y[first] * (y - t.corners.world_y[first])
-    reach = bodies.reach[body] + t.pieces.radius[wall] + way
-    return above > reach or above < -reach
+    reach = bodies.reach[body] + t.pieces.radius[wall]
+    return abs(above) - reach - way
 
 
 def rim_speed(t: Tables, row: int, piece: int, lasts: float) -> float:
@@ -180,6 +229,7 @@ def search(t: Tables, pair: int, start: float, end: float, bound: float) -> None
     time = start
     gap = gap_at(t, pair, start)
     if gap > bound * (end - start):
+        t.pairs.apart[pair] = gap - bound * (end - start)
         return
     tiny = ZERO_GAP * t.pairs.size[pair]
     inner = t.pieces.inner[t.pairs.piece_a[pair]] + t.pieces.inner[t.pairs.piece_b[pair]]
@@ -275,5 +325,6 @@ def notice_passing(t: Tables, pair: int) -> None:
     ) + t.corners.world_normal_y[first] * (t.corners.world_y[first] - t.bodies.here_y[body])
     if above < 0.0:  # the first side of a wall is the negative one
         pairs.state[pair] = PASSING
+        pairs.apart[pair] = 0.0
     elif pairs.state[pair] == PASSING and gap_between(t, pair) > 0.0:
         pairs.state[pair] = FREE

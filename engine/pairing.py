@@ -18,11 +18,14 @@ from engine.tables import (
     views,
 )
 
-CARRIED_OVER = ("state", "points", "carried", "part", "struck")
+CARRIED_OVER = (
+    "state", "points", "carried", "part", "struck", "normal_x", "normal_y", "drift",
+    "seen_x", "seen_y", "seen_angle_a", "seen_angle_b",
+)  # fmt: skip
 """Columns of `Pairs` that a pair keeps when the list is made anew."""
 
 
-RESTING_STATE = ("piece_a", "piece_b", "points", "carried")
+RESTING_STATE = ("piece_a", "piece_b", "points", "carried", "part", "drift", "seen_x", "seen_y")
 """Columns of `Pairs` that tell two worlds apart where pairs rest."""
 
 
@@ -150,7 +153,7 @@ def resting_columns(t: Tables, pair_count: int) -> list[Any]:
     state = np.asarray(t.pairs.state)[:pair_count]
     at = np.flatnonzero(state == RESTING)
     columns = [np.asarray(getattr(t.pairs, name))[at] for name in RESTING_STATE]
-    for name in ("normal_impulse", "tangent_impulse"):
+    for name in ("normal_impulse", "tangent_impulse", "gap"):
         column = np.asarray(getattr(t.contacts, name))
         for point in (0, 1):
             used = np.asarray(t.pairs.points)[at] > point

@@ -55,6 +55,13 @@ def advance(bodies: Bodies, row: int, time: float) -> None:
     bodies.spin[row] += bodies.path_spin[row] * passed
 
 
+def advance_all(bodies: Bodies, count: int, time: float) -> None:
+    """Move all bodies along their paths to `time` of the part (s), which ends there."""
+    for row in range(count):
+        advance(bodies, row, time)
+        bodies.clock[row] = 0.0
+
+
 def velocity_at(bodies: Bodies, row: int, time: float, x: float, y: float) -> tuple[float, float]:
     """Velocity at `time` (s) of the point (x, y) of a placed body (m/s)."""
     passed = time - bodies.clock[row]

@@ -5,10 +5,11 @@ is over: what forces do within a substep explains its motion. Nothing else decid
 impact; there is no speed below which bodies do not bounce.
 """
 
-from engine.contacts import kick, place_middle, prepare
+from engine.contacts import kick
+from engine.following import DRIFT, find_points, follow
 from engine.impacts import acceleration, stays, strike
 from engine.meeting import STILL, approach_at, notice_passing, wall_of
-from engine.pose import velocity_at
+from engine.spring import frequency, softness, softness_left
 from engine.tables import FREE, RESTING, Tables
 
 TOUCHING = 1e-5
@@ -19,6 +20,13 @@ KEEPING = 5e-3
 
 OVERLAP = 1e-3
 """Overlap that has to be pushed apart whatever the motion, in the same unit."""
+
+PUSH = 2.0
+"""Fastest correction of an overlap, in reaches of the smaller body a second (1/s)."""
+
+HOLDS, PARTED, SLAPS = 0, 1, 2
+"""What a resting pair does when a part begins: it goes on to rest; it has let go; a point of it
+that carries nothing will be hit faster than forces explain."""
 
 
 def settle(t: Tables, count: int, pair_count: int, shortest: float) -> int:
@@ -31,14 +39,17 @@ def settle(t: Tables, count: int, pair_count: int, shortest: float) -> int:
         shortest: flight that counts as none (s).
     """
     pairs = t.pairs
+    one_sided = t.pieces.one_sided
     resting = 0
     for pair in range(pair_count):
-        notice_passing(t, pair)
-        if pairs.state[pair] == FREE:
-            pairs.points[pair] = 0
+        if pairs.state[pair] == FREE and pairs.apart[pair] > TOUCHING * pairs.size[pair]:
+            continue
+        if one_sided[pairs.piece_a[pair]] == 1 or one_sided[pairs.piece_b[pair]] == 1:
+            notice_passing(t, pair)
         if pairs.state[pair] == FREE and nearly_touch(t, pair) and comes_to_rest(t, pair, shortest):
             pairs.state[pair] = RESTING
             pairs.carried[pair] = 0.0
+            pairs.points[pair] = 0
         if pairs.state[pair] == RESTING:
             pairs.resting[resting] = pair
             resting += 1
@@ -48,12 +59,13 @@ def settle(t: Tables, count: int, pair_count: int, shortest: float) -> int:
 
 def count_holds(t: Tables, count: int, resting: int) -> None:
     """Count for each body the resting contacts that hold it."""
+    held = t.bodies.held
     for row in range(count):
-        t.bodies.held[row] = 0
+        held[row] = 0
     for k in range(resting):
         pair = t.pairs.resting[k]
-        t.bodies.held[t.pairs.a[pair]] += 1
-        t.bodies.held[t.pairs.b[pair]] += 1
+        held[t.pairs.a[pair]] += 1
+        held[t.pairs.b[pair]] += 1
 
 
 def nearly_touch(t: Tables, pair: int) -> bool:
@@ -89,33 +101,44 @@ def comes_to_rest(t: Tables, pair: int, shortest: float) -> bool:
     return stays(t, pair, speed if speed > 0.0 else -speed, shortest, True)
 
 
-def hold(t: Tables, count: int, resting: int, now: float, part: float, shortest: float) -> int:
+def hold(t: Tables, count: int, resting: int, now: float, part: float, substep: float) -> int:
     """Solve the resting contacts for a part of the tick (s); return how many pairs still rest.
 
     Contacts that close faster than forces explain are struck first: a box that rocks on a corner
     slaps the floor with the other.
     """
+    omega = frequency(substep)
     for again in (False, True):
         place_middle(t, count, part / 2.0)
-        struck = False
+        softly, yielding = softness(part, omega)
+        firmly, bearing = softness(part, 2.0 * omega)
         kept = 0
+        hit = False
         for k in range(resting):
             pair = t.pairs.resting[k]
-            if t.pairs.state[pair] == RESTING:
-                prepare(t, pair, part / 2.0)
-                explained = settling_speed(t, pair, part)
-                if has_parted(t, pair, explained):
-                    t.pairs.state[pair] = FREE
-                    t.pairs.points[pair] = 0
-                    continue
-                room = t.impacts.written[0] < len(t.impacts.a)
-                if room and not again and slaps(t, pair, part, explained):
-                    strike(t, pair, now, 0.0, shortest, part, False)
-                    struck = True
-                t.pairs.resting[kept] = pair
-                kept += 1
+            if t.pairs.state[pair] != RESTING:
+                continue
+            if t.pairs.points[pair] > 0:
+                follow(t, pair)
+            if t.pairs.points[pair] == 0 or t.pairs.drift[pair] > DRIFT * t.pairs.size[pair]:
+                find_points(t, pair, part / 2.0)
+            a = t.pairs.a[pair]
+            b = t.pairs.b[pair]
+            if t.bodies.inverse_mass[a] == 0.0 or t.bodies.inverse_mass[b] == 0.0:
+                does = prepare(t, pair, part, 2.0 * omega, firmly, bearing)
+            else:
+                does = prepare(t, pair, part, omega, softly, yielding)
+            if does == PARTED:
+                t.pairs.state[pair] = FREE
+                t.pairs.apart[pair] = 0.0
+                continue
+            if does == SLAPS and not again and t.impacts.written[0] < len(t.impacts.a):
+                strike(t, pair, now, 0.0, substep, part, False)
+                hit = True
+            t.pairs.resting[kept] = pair
+            kept += 1
         resting = kept
-        if not struck:
+        if not hit:
             break
     count_holds(t, count, resting)
     for row in range(count):
@@ -126,6 +149,86 @@ def hold(t: Tables, count: int, resting: int, now: float, part: float, shortest:
     if resting > 0:
         kick(t, resting, count, part)
     return resting
+
+
+def place_middle(t: Tables, count: int, half: float) -> None:
+    """Note where bodies that rest are in the middle of the part, contacts apart."""
+    bodies = t.bodies
+    for row in range(count):
+        if bodies.held[row] > 0:
+            bodies.path_x[row] = 0.0
+            bodies.path_y[row] = 0.0
+            bodies.path_spin[row] = 0.0
+            bodies.middle_x[row] = bodies.x[row] + bodies.vx[row] * half
+            bodies.middle_y[row] = bodies.y[row] + bodies.vy[row] * half
+            bodies.middle_angle[row] = bodies.angle[row] + bodies.spin[row] * half
+
+
+def prepare(
+    t: Tables,
+    pair: int,
+    part: float,
+    omega: float,
+    rate: float,
+    yielding: float,
+) -> int:
+    """Ready a measured contact for a part (s); return what it does: holds, has parted, slaps.
+
+    Args:
+        t: the tables.
+        pair: which pair.
+        part: how long the contact is to act (s).
+        omega: circular frequency of its spring (1/s).
+        rate: at which its overlaps are corrected (1/s).
+        yielding: share of the impulse that its spring drops.
+    """
+    bodies = t.bodies
+    contacts = t.contacts
+    pairs = t.pairs
+    a = pairs.a[pair]
+    b = pairs.b[pair]
+    nx = pairs.normal_x[pair]
+    ny = pairs.normal_y[pair]
+    size = pairs.size[pair]
+    soft = yielding * softness_left(t, pair, omega)
+    explained = settling_speed(t, pair, part)
+    share = part / pairs.part[pair] if pairs.part[pair] > 0.0 else 0.0
+    if share > 1.0:  # what stopped a motion in a short part is no load that lasts
+        share = 1.0
+    pairs.part[pair] = part
+    opening = (bodies.vx[b] - bodies.vx[a]) * nx + (bodies.vy[b] - bodies.vy[a]) * ny
+    spin_a = bodies.spin[a]
+    spin_b = bodies.spin[b]
+    lowest = 1e300
+    fastest = -1e300
+    slaps = False
+    for row in range(2 * pair, 2 * pair + pairs.points[pair]):
+        gap = contacts.gap[row]
+        closing = (
+            spin_a * contacts.normal_arm_a[row] - spin_b * contacts.normal_arm_b[row] - opening
+        )
+        if gap < lowest:
+            lowest = gap
+        if closing > fastest:
+            fastest = closing
+        # Points that carry have the velocity that the last part left them: what is wrong with it
+        # is the error of the solver, which the next sweep mends.
+        if contacts.normal_impulse[row] == 0.0 and closing > explained:
+            slaps = slaps or gap <= closing * part / 2.0
+        contacts.normal_impulse[row] *= share
+        contacts.tangent_impulse[row] *= share
+        if gap > 0.0:  # may close until the end of the part, but no faster
+            contacts.target[row] = 2.0 * gap / part
+            contacts.hardness[row] = contacts.normal_mass[row]
+            contacts.softness[row] = 0.0
+        else:
+            bias = rate * gap
+            contacts.target[row] = bias if bias > -PUSH * size else -PUSH * size
+            contacts.hardness[row] = contacts.normal_mass[row] * (1.0 - soft)
+            contacts.softness[row] = soft
+    if lowest > KEEPING * size or (lowest > -OVERLAP * size and fastest < -explained):
+        return PARTED
+    return SLAPS if slaps else HOLDS
 
 
 def explained_speed(t: Tables, pair: int, part: float) -> float:
@@ -145,41 +248,3 @@ def settling_speed(t: Tables, pair: int, part: float) -> float:
     """The same where other contacts may turn forces into any direction (m/s)."""
     fall = acceleration(t.bodies, t.pairs.a[pair]) + acceleration(t.bodies, t.pairs.b[pair])
     return 2.0 * (fall * part + t.pairs.carried[pair]) + STILL
-
-
-def has_parted(t: Tables, pair: int, explained: float) -> bool:
-    """Whether a resting pair, just measured, has let go."""
-    size = t.pairs.size[pair]
-    lowest = 1e300
-    fastest = -1e300
-    for i in range(t.pairs.points[pair]):
-        if t.touch.gap[i] < lowest:
-            lowest = t.touch.gap[i]
-        speed = closing(t, pair, i)
-        if speed > fastest:
-            fastest = speed
-    return lowest > KEEPING * size or (lowest > -OVERLAP * size and fastest < -explained)
-
-
-def slaps(t: Tables, pair: int, part: float, explained: float) -> bool:
-    """Whether a point of a resting pair that carries nothing will be hit faster than explained.
-
-    Points that carry have the velocity that the last part left them: what is wrong with it is the
-    error of the solver, which the next sweep mends.
-    """
-    for i in range(t.pairs.points[pair]):
-        if t.contacts.normal_impulse[2 * pair + i] > 0.0:
-            continue
-        speed = closing(t, pair, i)
-        if speed > explained and t.touch.gap[i] <= speed * part / 2.0:
-            return True
-    return False
-
-
-def closing(t: Tables, pair: int, point: int) -> float:
-    """Speed (m/s) at the start of the part with which the bodies approach at a point of `Touch`."""
-    x = t.touch.x[point]
-    y = t.touch.y[point]
-    ax, ay = velocity_at(t.bodies, t.pairs.a[pair], 0.0, x, y)
-    bx, by = velocity_at(t.bodies, t.pairs.b[pair], 0.0, x, y)
-    return (ax - bx) * t.pairs.normal_x[pair] + (ay - by) * t.pairs.normal_y[pair]

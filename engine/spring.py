@@ -15,7 +15,24 @@ SAG = 2e-3
 would press deeper, the spring is made stiffer."""
 
 
-def softness_left(t: Tables, pair: int, part: float) -> float:
+def frequency(substep: float) -> float:
+    """Circular frequency of the spring (1/s) in a world of such substeps (s)."""
+    hertz = 0.25 / substep
+    if hertz > MOST_HERTZ:
+        hertz = MOST_HERTZ
+    return 2.0 * math.pi * hertz
+
+
+def softness(part: float, omega: float) -> tuple[float, float]:
+    """Rate (1/s) at which overlaps are corrected, and share of the impulse that the spring drops.
+
+    What is left of one is the share of the full mass with which it acts.
+    """
+    damped = 2.0 * DAMPING + part * omega
+    return omega / damped, 1.0 / (1.0 + part * omega * damped)
+
+
+def softness_left(t: Tables, pair: int, omega: float) -> float:
     """Share of its softness that a contact may have under its load, 0..1.
 
     The load is an acceleration (m/s^2): what the contact carried in its last part, or what forces
@@ -29,26 +46,5 @@ def softness_left(t: Tables, pair: int, part: float) -> float:
     load = (bodies.ax[a] - bodies.ax[b]) * nx + (bodies.ay[a] - bodies.ay[b]) * ny
     if t.pairs.part[pair] > 0.0 and t.pairs.carried[pair] > load * t.pairs.part[pair]:
         load = t.pairs.carried[pair] / t.pairs.part[pair]
-    omega = frequency(part, bodies.inverse_mass[a] == 0.0 or bodies.inverse_mass[b] == 0.0)
     most = SAG * t.pairs.size[pair] * omega * omega
     return 1.0 if load <= most else most / load
-
-
-def frequency(part: float, fixed: bool) -> float:
-    """Circular frequency of the spring (1/s); doubly stiff on a wall."""
-    hertz = 0.25 / part
-    if hertz > MOST_HERTZ:
-        hertz = MOST_HERTZ
-    if fixed:
-        hertz *= 2.0
-    return 2.0 * math.pi * hertz
-
-
-def softness(part: float, fixed: bool) -> tuple[float, float]:
-    """Rate (1/s) at which overlaps are corrected, and share of the impulse that the spring drops.
-
-    What is left of one is the share of the full mass with which it acts.
-    """
-    omega = frequency(part, fixed)
-    damped = 2.0 * DAMPING + part * omega
-    return omega / damped, 1.0 / (1.0 + part * omega * damped)

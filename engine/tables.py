@@ -103,14 +103,18 @@ class Bodies(NamedTuple):
     path_y: Floats
     path_spin: Floats
     """(rad/s^2)"""
+    way: Floats
+    """No point of the body moves further in the present part, unless something hits it (m)."""
     kick_x: Floats
     """Velocity at the end of the present part, as the resting contacts make it (m/s)."""
     kick_y: Floats
     kick_spin: Floats
     """(rad/s)"""
     middle_x: Floats
-    """Position in the middle of the present part (m)."""
+    """Pose in the middle of the present part, at the end of it once contacts relax (m)."""
     middle_y: Floats
+    middle_angle: Floats
+    """(rad)"""
     shift_x: Floats
     """Mean position over the present part, less that for which contacts were solved (m)."""
     shift_y: Floats
@@ -218,7 +222,7 @@ class Pairs(NamedTuple):
     state: Ints
     """`FREE`, `RESTING` or `PASSING`."""
     normal_x: Floats
-    """Unit normal from a to b of the resting contact."""
+    """Unit normal from a to b of the resting contact; its tangent is this turned left."""
     normal_y: Floats
     points: Ints
     """Number of rows in `Contacts`, 0 to 2, from row 2 * pair on."""
@@ -226,8 +230,16 @@ class Pairs(NamedTuple):
     """Change of normal velocity that the resting contact brought about in its last part (m/s)."""
     part: Floats
     """Length of that part (s)."""
-    give: Floats
-    """Share of its softness that the resting contact has, 0..1: less under a great load."""
+    seen_x: Floats
+    """From the centre of a to that of b, when the contact was last measured (m)."""
+    seen_y: Floats
+    seen_angle_a: Floats
+    """Angles of both bodies then (rad)."""
+    seen_angle_b: Floats
+    drift: Floats
+    """How far the two moved over each other since their points were found (m)."""
+    apart: Floats
+    """The surfaces of a free pair are at least so far apart when a part begins (m)."""
     struck: Floats
     """Time of the last impact since the present tick began (s), mostly negative."""
     meeting: Floats
@@ -249,14 +261,21 @@ class Contacts(NamedTuple):
     """Which corners made it, to find it again in the next part."""
     gap: Floats
     """Distance of the surfaces (m), negative if they overlap."""
-    a_x: Floats
-    """Lever arm from the centre of a (m, world)."""
-    a_y: Floats
-    b_x: Floats
-    b_y: Floats
+    normal_arm_a: Floats
+    """Lever arm of a unit impulse along the normal about the centre of a, r x n (m)."""
+    tangent_arm_a: Floats
+    """The same along the tangent, r x t = r . n (m)."""
+    normal_arm_b: Floats
+    tangent_arm_b: Floats
     normal_mass: Floats
     """Impulse that changes the normal velocity by 1 m/s (kg)."""
     tangent_mass: Floats
+    target: Floats
+    """Speed with which the bodies are to approach, less if negative, in the present pass (m/s)."""
+    hardness: Floats
+    """Impulse per speed that is missing, in the present pass (kg)."""
+    softness: Floats
+    """Share of the impulse that the spring drops in the present pass."""
     normal_impulse: Floats
     """Summed over the part (N s)."""
     tangent_impulse: Floats

@@ -5,11 +5,18 @@ early when two bodies come to rest on each other, or when a body leaves the box 
 of pairs holds.
 """
 
-from engine.contacts import relax, shift_paths
+from engine.contacts import correct_arms, relax
 from engine.impacts import strike
-from engine.meeting import approach_at, find_meeting
-from engine.pose import advance
-from engine.resting import KEEPING, OVERLAP, count_holds, explained_speed, hold, settle
+from engine.meeting import approach_at, find_meeting, find_meetings, measure_ways
+from engine.pose import advance_all
+from engine.resting import (
+    KEEPING,
+    OVERLAP,
+    count_holds,
+    explained_speed,
+    hold,
+    settle,
+)
 from engine.settings import EXPLICIT_EULER, SEMI_IMPLICIT_EULER
 from engine.tables import FREE, NEVER, RESTING, Bodies, Tables
 
@@ -28,14 +35,17 @@ def begin(t: Tables, count: int, pair_count: int, shortest: float) -> None:
     bodies = t.bodies
     for row in range(count):
         bodies.clock[row] = 0.0
-    settled = settle(t, count, pair_count, shortest)
-    count_holds(t, count, settled)
+    settle(t, count, pair_count, shortest)
     for row in range(count):
+        bodies.path_x[row] = bodies.ax[row]
+        bodies.path_y[row] = bodies.ay[row]
+        bodies.path_spin[row] = bodies.aspin[row]
         if bodies.held[row] > 0:
             bodies.lead_x[row] = bodies.lead_y[row] = bodies.lead_spin[row] = 0.0
-        bodies.vx[row] += bodies.lead_x[row]
-        bodies.vy[row] += bodies.lead_y[row]
-        bodies.spin[row] += bodies.lead_spin[row]
+        else:
+            bodies.vx[row] += bodies.lead_x[row]
+            bodies.vy[row] += bodies.lead_y[row]
+            bodies.spin[row] += bodies.lead_spin[row]
 
 
 def end(t: Tables, count: int, pair_count: int, integrator: int, dt: float) -> None:
@@ -73,26 +83,23 @@ def travel(
     the others are taken as plastic, after twice as many as done: a ball that is squeezed between a
     hammer and an anvil bounces without end.
     """
-    bodies = t.bodies
     while now < dt:
         resting = settle(t, count, pair_count, substep)
         part = dt - now
         if resting > 0 and substep < part * (1.0 - 1e-9):
             part = substep
-        for row in range(count):
-            bodies.clock[row] = 0.0
-            bodies.path_x[row] = bodies.ax[row]
-            bodies.path_y[row] = bodies.ay[row]
-            bodies.path_spin[row] = bodies.aspin[row]
         held = hold(t, count, resting, now, part, substep) if resting > 0 else 0
         first = t.impacts.written[0]
-        status, reached = meet_all(t, pair_count, held, now, part, dt, substep, limit)
-        for row in range(count):
-            advance(bodies, row, reached)
-            bodies.clock[row] = 0.0
+        measure_ways(t, count, part)
+        queued = find_meetings(t, pair_count, part)
+        status = DONE
+        reached = part
+        if queued > 0:
+            status, reached = meet_all(t, queued, held, now, part, dt, substep, limit)
+        advance_all(t.bodies, count, reached)
         if held > 0:
-            shift_paths(t, count, first, now, part, reached)
-            relax(t, held, count, part, reached / part)
+            correct_arms(t, held, count, first, now, part, reached)
+            relax(t, held, count, part)
         now = dt if reached >= part and part == dt - now else now + reached
         if status != DONE and now < dt:
             return status, now
@@ -107,7 +114,7 @@ def travel(
 
 def meet_all(
     t: Tables,
-    pair_count: int,
+    queued: int,
     held: int,
     now: float,
     part: float,
@@ -116,50 +123,68 @@ def meet_all(
     limit: int,
 ) -> tuple[int, float]:
     """Let all impacts of a part happen in order of time; return the status and the time reached."""
+    status, reached, queued = meet_in_order(t, queued, held, now, part, dt, substep, limit)
+    for at in range(queued):
+        t.pairs.queued[t.pairs.queue[at]] = 0
+    return status, reached
+
+
+def meet_in_order(
+    t: Tables,
+    queued: int,
+    held: int,
+    now: float,
+    part: float,
+    dt: float,
+    substep: float,
+    limit: int,
+) -> tuple[int, float, int]:
+    """Do so; return as well how many meetings are left in the queue."""
     pairs = t.pairs
     written = t.impacts.written
-    queued = 0
     reached = 0.0
     escaped = False
     cut = False
-    for pair in range(pair_count):
-        pairs.queued[pair] = 0
-        find_meeting(t, pair, 0.0, part)
-        queued = enqueue(t, pair, queued)
+    ending = DONE
     while queued > 0:
         at = earliest(t, queued)
         pair = pairs.queue[at]
         time = pairs.meeting[pair]
         if cut and time > reached + TOGETHER:
-            return ESCAPED, reached
+            return ending, reached, queued
         reached = time
         if written[0] >= len(t.impacts.a):
-            return CROWDED, time
+            return CROWDED, time, queued
         queued -= 1
         pairs.queue[at] = pairs.queue[queued]
         pairs.queued[pair] = 0
         pairs.meeting[pair] = NEVER
+        a = pairs.a[pair]
+        b = pairs.b[pair]
         if written[1] < 2 * limit:
             rests = strike(t, pair, now, time, substep, 0.0, written[1] >= limit)
         else:
             rests = True
+            if pairs.state[pair] != RESTING:
+                pairs.points[pair] = 0
             pairs.state[pair] = RESTING
         written[1] += 1
         if rests and held == 0 and time < part:
-            return DONE, time
-        a = pairs.a[pair]
-        b = pairs.b[pair]
+            return DONE, time, queued
         left = dt - now - time
         if has_escaped(t, a, left) or has_escaped(t, b, left):
             escaped = True
             left = part - time
             # Contacts act for a whole part; cut it only if a body might leave its box within it.
-            cut = cut or held == 0 or has_escaped(t, a, left) or has_escaped(t, b, left)
+            if held == 0 or has_escaped(t, a, left) or has_escaped(t, b, left):
+                cut = True
+        if escaped:
+            ending = ESCAPED
         queued = look_again(t, a, time, part, queued, written[1] < 2 * limit)
         queued = look_again(t, b, time, part, queued, written[1] < 2 * limit)
     if cut:
-        return ESCAPED, reached
-    return (ESCAPED if escaped else DONE), part
+        return ending, reached, queued
+    return ending, part, queued
 
 
 def enqueue(t: Tables, pair: int, queued: int) -> int:

@@ -1,0 +1,161 @@
+"""Points of resting contacts, which follow their bodies until these have moved too far.
+
+Where two bodies touch is found by geometry, and then kept: as long as they hardly move over each
+other, gaps and lever arms follow from how the bodies moved, to first order, as in Box2D v3. Arms
+are kept in the frame of the contact (n, t), in which r x n = -r . t and r x t = r . n. Whatever the
+error of an arm, both bodies have the same point: the arm of b is that of a less the way from a to
+b.
+"""
+
+from engine.manifolds.any_pair import touching_points
+from engine.pose import place
+from engine.tables import Tables
+
+DRIFT = 2e-3
+"""How far bodies may move over each other until their points are found anew, in reaches of the
+smaller one; a turn counts `TURN` times."""
+
+TURN = 4.0
+"""So often does what turns the normal count: rotation, and any way of a round body."""
+
+
+def follow(t: Tables, pair: int) -> None:
+    """Measure the contact for the middle poses of its bodies: from what was, or by geometry."""
+    bodies = t.bodies
+    pairs = t.pairs
+    contacts = t.contacts
+    a = pairs.a[pair]
+    b = pairs.b[pair]
+    way_x = bodies.middle_x[b] - bodies.middle_x[a]
+    way_y = bodies.middle_y[b] - bodies.middle_y[a]
+    x = way_x - pairs.seen_x[pair]
+    y = way_y - pairs.seen_y[pair]
+    piece_a = pairs.piece_a[pair]
+    piece_b = pairs.piece_b[pair]
+    turn_a = 0.0
+    turn_b = 0.0
+    if t.pieces.swing[piece_a] > 0.0:
+        turn_a = bodies.middle_angle[a] - pairs.seen_angle_a[pair]
+    if t.pieces.swing[piece_b] > 0.0:
+        turn_b = bodies.middle_angle[b] - pairs.seen_angle_b[pair]
+    if x == 0.0 and y == 0.0 and turn_a == 0.0 and turn_b == 0.0:
+        return
+    size = pairs.size[pair]
+    turned = (abs(turn_a) + abs(turn_b)) * size
+    pairs.drift[pair] += abs(x) + abs(y) + TURN * turned
+    if t.pieces.corners[piece_a] == 1 or t.pieces.corners[piece_b] == 1:
+        pairs.drift[pair] += TURN * (abs(x) + abs(y))
+    pairs.seen_x[pair] = way_x
+    pairs.seen_y[pair] = way_y
+    pairs.seen_angle_a[pair] = bodies.middle_angle[a]
+    pairs.seen_angle_b[pair] = bodies.middle_angle[b]
+    nx = pairs.normal_x[pair]
+    ny = pairs.normal_y[pair]
+    closer = x * nx + y * ny
+    slid = y * nx - x * ny
+    way_n = way_x * nx + way_y * ny
+    way_t = way_y * nx - way_x * ny
+    with_b = share_of_b(t, pair)
+    with_a = 1.0 - with_b
+    for row in range(2 * pair, 2 * pair + pairs.points[pair]):
+        normal_arm = contacts.normal_arm_a[row]
+        tangent_arm = contacts.tangent_arm_a[row]
+        a_n = turn_a * normal_arm
+        a_t = turn_a * tangent_arm
+        b_n = closer + turn_b * contacts.normal_arm_b[row]
+        b_t = slid + turn_b * contacts.tangent_arm_b[row]
+        contacts.gap[row] += b_n - a_n
+        normal_arm -= with_a * a_t + with_b * b_t
+        tangent_arm += with_a * a_n + with_b * b_n
+        contacts.normal_arm_a[row] = normal_arm
+        contacts.tangent_arm_a[row] = tangent_arm
+        contacts.normal_arm_b[row] = normal_arm + way_t
+        contacts.tangent_arm_b[row] = tangent_arm - way_n
+
+
+def share_of_b(t: Tables, pair: int) -> float:
+    """Which part of their relative motion the contact makes with b: a round body, and one on an
+    immovable one, carry the contact with them.
+    """
+    pairs = t.pairs
+    if t.bodies.inverse_mass[pairs.a[pair]] == 0.0 or t.pieces.corners[pairs.piece_b[pair]] == 1:
+        return 1.0
+    if t.bodies.inverse_mass[pairs.b[pair]] == 0.0 or t.pieces.corners[pairs.piece_a[pair]] == 1:
+        return 0.0
+    return 0.5
+
+
+def find_points(t: Tables, pair: int, time: float) -> None:
+    """Find by geometry where the bodies touch at `time` of the present part (s), their middle pose.
+
+    The impulses of points that were known before are kept.
+    """
+    bodies = t.bodies
+    pairs = t.pairs
+    contacts = t.contacts
+    a = pairs.a[pair]
+    b = pairs.b[pair]
+    place(bodies, t.corners, a, time)
+    place(bodies, t.corners, b, time)
+    first = 2 * pair
+    before = pairs.points[pair]
+    old_0 = contacts.feature[first]
+    old_1 = contacts.feature[first + 1]
+    normal_0 = contacts.normal_impulse[first]
+    normal_1 = contacts.normal_impulse[first + 1]
+    tangent_0 = contacts.tangent_impulse[first]
+    tangent_1 = contacts.tangent_impulse[first + 1]
+    points = touching_points(t, pair)
+    pairs.points[pair] = points
+    pairs.drift[pair] = 0.0
+    pairs.normal_x[pair] = t.touch.normal_x[0]
+    pairs.normal_y[pair] = t.touch.normal_y[0]
+    pairs.seen_x[pair] = bodies.middle_x[b] - bodies.middle_x[a]
+    pairs.seen_y[pair] = bodies.middle_y[b] - bodies.middle_y[a]
+    pairs.seen_angle_a[pair] = bodies.middle_angle[a]
+    pairs.seen_angle_b[pair] = bodies.middle_angle[b]
+    for i in range(points):
+        row = first + i
+        feature = t.touch.feature[i]
+        contacts.feature[row] = feature
+        contacts.normal_impulse[row] = 0.0
+        contacts.tangent_impulse[row] = 0.0
+        if before > 0 and old_0 == feature:
+            contacts.normal_impulse[row] = normal_0
+            contacts.tangent_impulse[row] = tangent_0
+        elif before > 1 and old_1 == feature:
+            contacts.normal_impulse[row] = normal_1
+            contacts.tangent_impulse[row] = tangent_1
+        contacts.gap[row] = t.touch.gap[i]
+        measure(t, pair, row, t.touch.x[i], t.touch.y[i])
+
+
+def measure(t: Tables, pair: int, row: int, x: float, y: float) -> None:
+    """Set lever arms and effective masses of the contact at (x, y)."""
+    bodies = t.bodies
+    contacts = t.contacts
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    nx = t.pairs.normal_x[pair]
+    ny = t.pairs.normal_y[pair]
+    x -= bodies.middle_x[a]
+    y -= bodies.middle_y[a]
+    normal_a = x * ny - y * nx
+    tangent_a = x * nx + y * ny
+    x -= t.pairs.seen_x[pair]
+    y -= t.pairs.seen_y[pair]
+    normal_b = x * ny - y * nx
+    tangent_b = x * nx + y * ny
+    contacts.normal_arm_a[row] = normal_a
+    contacts.tangent_arm_a[row] = tangent_a
+    contacts.normal_arm_b[row] = normal_b
+    contacts.tangent_arm_b[row] = tangent_b
+    mass = bodies.inverse_mass[a] + bodies.inverse_mass[b]
+    turn_a = bodies.inverse_inertia[a]
+    turn_b = bodies.inverse_inertia[b]
+    contacts.normal_mass[row] = 1.0 / (
+        mass + normal_a * normal_a * turn_a + normal_b * normal_b * turn_b
+    )
+    contacts.tangent_mass[row] = 1.0 / (
+        mass + tangent_a * tangent_a * turn_a + tangent_b * tangent_b * turn_b
+    )
