@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from engine import validate
+from engine import filters, validate
 from engine.collision import Collision
 from engine.forces import Force, Push, Torque
 from engine.inputs import noted
@@ -174,6 +174,39 @@ class Body:
     def gravity_scale(self, value: Any) -> None:
         row = self._movable("gravity_scale")
         self._world.bodies.gravity_scale[row] = validate.finite(value, "gravity_scale")
+
+    @property
+    def category(self) -> int:
+        """Bits of the kinds of body that it is."""
+        return self._world.bodies.category[self._row()]
+
+    @category.setter
+    @noted
+    def category(self, value: Any) -> None:
+        self._world.bodies.category[self._row()] = filters.category_bits(value)
+        self._world.displaced()
+
+    @property
+    def mask(self) -> int:
+        """Bits of the categories that it touches."""
+        return self._world.bodies.mask[self._row()]
+
+    @mask.setter
+    @noted
+    def mask(self, value: Any) -> None:
+        self._world.bodies.mask[self._row()] = filters.mask_bits(value)
+        self._world.displaced()
+
+    @property
+    def group(self) -> int:
+        """Bodies of the same group pass through each other; 0: none."""
+        return self._world.bodies.group[self._row()]
+
+    @group.setter
+    @noted
+    def group(self, value: Any) -> None:
+        self._world.bodies.group[self._row()] = filters.group_number(value)
+        self._world.displaced()
 
     @property
     def momentum(self) -> Vector:

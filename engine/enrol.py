@@ -3,7 +3,7 @@
 import math
 from typing import Any
 
-from engine import validate
+from engine import filters, validate
 from engine.pose import put
 from engine.shapes import Particle, Piece, Shape, Wall
 from engine.tables import Corners, Tables
@@ -18,7 +18,7 @@ def initial_values(shape: Shape, given: dict[str, Any]) -> dict[str, float]:
     Args:
         shape: of the body.
         given: mass, inertia, position, angle, velocity, spin (each None if not given),
-            restitution, friction and gravity_scale.
+            restitution, friction, gravity_scale, category, mask and group.
     """
     kinematic = ("mass", "position", "angle", "velocity", "spin", "inertia")
     if isinstance(shape, Wall):
@@ -31,6 +31,9 @@ def initial_values(shape: Shape, given: dict[str, Any]) -> dict[str, float]:
         "restitution": validate.fraction(given["restitution"], "restitution"),
         "friction": validate.not_negative(given["friction"], "friction"),
         "gravity_scale": validate.finite(given["gravity_scale"], "gravity_scale"),
+        "category": filters.category_bits(given["category"]),
+        "mask": filters.mask_bits(given["mask"]),
+        "group": filters.group_number(given["group"]),
         **_inertness(shape, given["mass"], given["inertia"]),
         **_motion(given["position"], given["angle"], given["velocity"], given["spin"]),
     }

@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 
+from engine.filters import may_touch
 from engine.jit import Kernels
 from engine.settings import Rule
 from engine.tables import (
@@ -45,12 +46,15 @@ def pair_up(t: Tables, dt: float, rules: tuple[Rule, Rule], kernels: Kernels) ->
     a, b = a[:found], b[:found]
     sorted_rows = np.lexsort((b, a))
     a, b = a[sorted_rows], b[sorted_rows]
+    body = np.asarray(t.pieces.body)
+    heeded = may_touch(t, body[a], body[b])
+    a, b = a[heeded], b[heeded]
+    found = len(a)
     room = len(t.pairs.a)
     while room < found:
         room *= 2
     pairs, contacts = allocate(Pairs, room), allocate(Contacts, 2 * room)
     np.asarray(pairs.piece_a)[:found], np.asarray(pairs.piece_b)[:found] = a, b
-    body = np.asarray(t.pieces.body)
     np.asarray(pairs.a)[:found], np.asarray(pairs.b)[:found] = body[a], body[b]
     carry_over(t, pair_count, pairs, contacts, found)
     sizes = size_of_pieces(t)

@@ -11,6 +11,7 @@ import numpy as np
 
 from engine import validate
 from engine.body import Body
+from engine.filters import ALL
 from engine.force_laws import ActingLaw, PointGravity, SpringTo, checked_law
 from engine.forces import Force, LinearDrag, QuadraticDrag, Torque
 from engine.plain import INFINITIES, Decoder, Functions, encode
@@ -56,6 +57,8 @@ AT_MOST = {
     "pairs.state": 2,
     "pairs.queued": 1,
     "bodies.moves": 1,
+    "bodies.category": ALL,
+    "bodies.mask": ALL,
     "pieces.one_sided": 1,
     "state.stale": 1,
 }
@@ -67,6 +70,10 @@ COUNTS = (
     "bodies.corners",
     "bodies.pieces",
     "pieces.corners",
+    "bodies.group",
+    "ignored.a",
+    "ignored.b",
+    "ignored.joint",
     "pushes.id",
     "contacts.feature",
     "state.tick",

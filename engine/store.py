@@ -8,6 +8,7 @@ from engine import snapshot as snapshots
 from engine.body import Body
 from engine.collision import Removed
 from engine.enrol import corners_of, write_body
+from engine.filters import ignored_columns, ignored_keys, pair_keys
 from engine.force_laws import ActingLaw, field_columns, field_table
 from engine.pairing import forget, link, resting_columns
 from engine.shapes import Shape
@@ -108,6 +109,9 @@ class Store:
             if self.tables.pushes.row[i] == row:
                 self.drop("pushes", i)
         close_gap(self.tables.pushes.row, self.count("pushes"), row, 1)
+        for i in reversed(range(self.count("ignored"))):
+            if body.id in (self.tables.ignored.a[i], self.tables.ignored.b[i]):
+                self.drop("ignored", i)
         self._count_pairs(forget(self.tables, self.count("pairs"), row))
         bodies, pieces = self.tables.bodies, self.tables.pieces
         first, corners = bodies.first[row], bodies.corners[row]
@@ -133,6 +137,35 @@ class Store:
     def _count_pairs(self, pairs: int) -> None:
         self.tables.counts.pairs[0] = pairs
         self.tables.counts.contacts[0] = 2 * pairs
+
+    # Pairs that pass through each other.
+
+    def ignore(self, a: Body, b: Body, joint: int = 0) -> None:
+        """Let two bodies pass through each other, by hand or on behalf of a joint."""
+        if self._row_of_ignored(a, b, joint) is None:
+            self.append("ignored", (a.id, b.id, joint))
+
+    def heed(self, a: Body, b: Body, joint: int = 0) -> None:
+        """Take that back."""
+        row = self._row_of_ignored(a, b, joint)
+        if row is not None:
+            self.drop("ignored", row)
+
+    def ignores(self, a: Body, b: Body) -> bool:
+        """Whether two bodies were told to pass through each other, by whomever."""
+        keys = ignored_keys(self.tables.ignored, self.count("ignored"))
+        return bool((keys == pair_keys(a.id, b.id)).any())
+
+    def _row_of_ignored(self, a: Body, b: Body, joint: int) -> int | None:
+        ignored, both = self.tables.ignored, {a.id, b.id}
+        return next(
+            (
+                i
+                for i in range(self.count("ignored"))
+                if {ignored.a[i], ignored.b[i]} == both and ignored.joint[i] == joint
+            ),
+            None,
+        )
 
     # Laws of force.
 
@@ -179,14 +212,18 @@ class Store:
 
     def digest(self) -> str:
         """Hash of the state (SHA-256, hexadecimal): equal for equal worlds on any machine."""
-        state = self.tables.state
+        t, state = self.tables, self.tables.state
         return snapshots.digest(
             self.tables.bodies,
             self.count("bodies"),
             self.tables.pushes,
             self.count("pushes"),
             (float(state.tick[0]), self.time),
-            resting_columns(self.tables, self.count("pairs")) + field_columns(self.tables.fields),
+            [
+                *resting_columns(t, self.count("pairs")),
+                *field_columns(t.fields),
+                *ignored_columns(t),
+            ],
         )
 
     # The clock.

@@ -65,6 +65,12 @@ class Bodies(NamedTuple):
     """(1/(kg m^2)); 0 keeps a body from turning."""
     restitution: Floats
     friction: Floats
+    category: Ints
+    """Bits of the kinds of body that it is; see `filters`."""
+    mask: Ints
+    """Bits of the categories that it touches."""
+    group: Ints
+    """Bodies of the same group pass through each other; 0: none."""
     gravity_scale: Floats
     """By which the gravity of the world is multiplied for this body."""
     force_x: Floats
@@ -335,6 +341,7 @@ class Counts(NamedTuple):
     pairs: Ints
     contacts: Ints
     """Twice the number of pairs."""
+    ignored: Ints
 
 
 class State(NamedTuple):
@@ -384,6 +391,16 @@ class Fields(NamedTuple):
     """First row: how many rows are in use."""
 
 
+class Ignored(NamedTuple):
+    """One row two bodies that pass through each other, and why."""
+
+    a: Ints
+    """Ids of bodies."""
+    b: Ints
+    joint: Ints
+    """Id of the joint that wants it so; 0: they were told to by hand."""
+
+
 class Tables(NamedTuple):
     """All that varies in a world, and what the kernels of a step write down on the way."""
 
@@ -399,6 +416,7 @@ class Tables(NamedTuple):
     counts: Counts
     state: State
     fields: Fields
+    ignored: Ignored
 
 
 FREE, RESTING, PASSING = 0, 1, 2

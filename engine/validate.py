@@ -47,13 +47,15 @@ def fraction(value: Any, name: str) -> float:
     return number
 
 
-def whole(value: Any, name: str, at_least: int) -> int:
-    """Return `value` as an int; refuse what is no whole number or too small."""
+def whole(value: Any, name: str, at_least: int, at_most: int | None = None) -> int:
+    """Return `value` as an int; refuse what is no whole number, too small or too large."""
     if isinstance(value, bool) or not hasattr(value, "__index__"):
         raise TypeError(f"{name} must be a whole number, not {value!r}")
     number = int(value.__index__())
     if number < at_least:
         raise ValueError(f"{name} must be at least {at_least}, not {number}")
+    if at_most is not None and number > at_most:
+        raise ValueError(f"{name} must be at most {at_most}, not {number}")
     return number
 
 

@@ -10,6 +10,7 @@ from engine.body import Body, OnCollision, OnMove
 from engine.bulk import Tracks
 from engine.collision import Collision, Diverged, Removed
 from engine.enrol import initial_values
+from engine.filters import ALL
 from engine.force_laws import ActingLaw, Law, checked_bodies, checked_law, energy_in_fields
 from engine.forces import Drag, Push
 from engine.inputs import noted
@@ -125,6 +126,9 @@ class World:
         friction: float = 0.0,
         inertia: float | None = None,
         gravity_scale: float = 1.0,
+        category: int = 1,
+        mask: int = ALL,
+        group: int = 0,
         name: str | None = None,
         on_move: OnMove | None = None,
         on_collision: OnCollision | None = None,
@@ -133,6 +137,9 @@ class World:
 
         Mass is 1 kg, the rest zero unless given; the moment of inertia follows from shape and mass.
         A wall takes none of mass, position, angle, velocity, spin, inertia.
+
+        Two bodies pass through each other unless each is of a `category` (32 bits) that the
+        other's `mask` names, and if both are of the same `group` other than 0.
         """
         if not isinstance(shape, Shape):
             raise TypeError(f"a body needs a Circle, Particle, Polygon or Wall, not {shape!r}")
@@ -140,6 +147,7 @@ class World:
         given |= {"spin": spin, "inertia": inertia}
         given |= {"restitution": restitution, "friction": friction}
         given |= {"gravity_scale": gravity_scale}
+        given |= {"category": category, "mask": mask, "group": group}
         values = initial_values(shape, given)
         id = self.store.new_id("body")
         kind = type(shape).__name__.lower()
@@ -154,6 +162,33 @@ class World:
         """Take a body, with all that pushes it, out of the world; its handle is then refused."""
         self.store.remove_body(body)
         self.displaced()
+
+    @noted
+    def ignore(self, a: Body, b: Body) -> None:
+        """Let two bodies pass through each other, whatever their filters say, until `heed`."""
+        self._two_bodies(a, b)
+        self.store.ignore(a, b)
+        self.displaced()
+
+    @noted
+    def heed(self, a: Body, b: Body) -> None:
+        """Take `ignore` back; twice does nothing."""
+        self._two_bodies(a, b)
+        self.store.heed(a, b)
+        self.displaced()
+
+    def ignores(self, a: Body, b: Body) -> bool:
+        """Whether two bodies ignore each other, told by hand or joined."""
+        self._two_bodies(a, b)
+        return self.store.ignores(a, b)
+
+    def _two_bodies(self, a: Body, b: Body) -> None:
+        for body in (a, b):
+            if not isinstance(body, Body):
+                raise TypeError(f"it takes two bodies, not {body!r}")
+            self.row(body)
+        if a is b:
+            raise ValueError(f"it takes two bodies, not {a.name} twice")
 
     @noted
     def add_law(self, law: Law, bodies: Iterable[Body] | None = None) -> ActingLaw:

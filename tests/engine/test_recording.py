@@ -28,7 +28,7 @@ from engine.inputs import is_input
 READS = {
     World: {
         "step", "run", "state", "record", "snapshot", "to_dict", "from_dict", "digest", "body",
-        "row", "is_acting",
+        "row", "is_acting", "ignores",
     },
     Body: {"to_world", "to_local"},
     Push: set(),

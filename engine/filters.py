@@ -1,0 +1,67 @@
+"""Which bodies pass through each other: by category, by group, and pair by pair.
+
+Two bodies touch if each is of a category that the other's mask names, unless they are of the same
+group other than 0, or one was told to ignore the other. Walls have filters like all bodies.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from engine import validate
+from engine.tables import Ignored, Tables
+
+ALL = 0xFFFFFFFF
+"""Mask of all 32 categories."""
+
+MOST_GROUPS = 2**31
+"""Groups are smaller."""
+
+
+def category_bits(value: Any) -> int:
+    """Check a category: one or more of 32 bits."""
+    return validate.whole(value, "category", 1, ALL)
+
+
+def mask_bits(value: Any) -> int:
+    """Check a mask: any of 32 bits, 0 for a body that touches nothing."""
+    return validate.whole(value, "mask", 0, ALL)
+
+
+def group_number(value: Any) -> int:
+    """Check a group: 0 for none."""
+    return validate.whole(value, "group", 0, MOST_GROUPS - 1)
+
+
+def may_touch(t: Tables, a: Any, b: Any) -> Any:
+    """Which pairs of bodies may touch, as booleans.
+
+    Args:
+        t: the tables.
+        a: rows of bodies, an array.
+        b: rows of as many other bodies.
+    """
+    category, mask = np.asarray(t.bodies.category), np.asarray(t.bodies.mask)
+    group, ids = np.asarray(t.bodies.group), np.asarray(t.bodies.id)
+    heeded = ((category[a] & mask[b]) != 0) & ((category[b] & mask[a]) != 0)
+    heeded &= (group[a] == 0) | (group[a] != group[b])
+    number = t.counts.ignored[0]
+    if number:
+        heeded &= ~np.isin(pair_keys(ids[a], ids[b]), ignored_keys(t.ignored, number))
+    return heeded
+
+
+def pair_keys(a: Any, b: Any) -> Any:
+    """One number for each pair of ids, whichever comes first."""
+    return (np.minimum(a, b) << 32) | np.maximum(a, b)
+
+
+def ignored_keys(ignored: Ignored, number: int) -> Any:
+    """The same for the pairs that were told to ignore each other."""
+    return pair_keys(np.asarray(ignored.a)[:number], np.asarray(ignored.b)[:number])
+
+
+def ignored_columns(t: Tables) -> list[Any]:
+    """The pairs that ignore each other, in order, for the digest; nothing where none do."""
+    number = t.counts.ignored[0]
+    return [np.unique(ignored_keys(t.ignored, number))] if number else []
