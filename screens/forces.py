@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from engine import Body, Collision, Force, Polygon, Push, Vector, World
 from screens.kit import arrows, page, probes, theme
-from screens.kit.bodies import conceal, opacity
+from screens.kit.bodies import opacity
 from screens.kit.canvas import Canvas
 from screens.kit.cart_dialog import ACCELERATION, MASS, CartDialog
 from screens.kit.events import Event, Resize, Tap, Tick
@@ -269,8 +269,7 @@ class Forces:
             mass = page.chosen(body.mass, words("unit.kg"))
             if len(mass) > FITS:
                 mass = page.chosen(body.mass, "")
-            conceal(canvas, body)
-            canvas.body(body, theme.TEAL, opacity(body.mass, *MASS), mass)
+            canvas.body(body, theme.TEAL, opacity(body.mass, *MASS), mass, conceals=True)
             reach = body.vx * PER_SPEED * view.scale
             canvas.arrow((front, body.y - CART / 4), (reach, 0.0), arrows.VELOCITY)
         if cart.force > 0.0 and cart.finish_time is None:

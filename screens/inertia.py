@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from engine import Collision, Force, Polygon, Push, Vector, World
 from screens.kit import arrows, hits, page, probes, theme
-from screens.kit.bodies import conceal, enclose, leaving, opacity
+from screens.kit.bodies import enclose, leaving, opacity
 from screens.kit.canvas import Canvas, bar_room
 from screens.kit.dial import STRONGEST, ForceDial
 from screens.kit.events import Event, Resize, Tap, Tick
@@ -159,8 +159,8 @@ class Inertia:
         canvas = Canvas(surface, self.view.rect, self.room)
         canvas.labels.block(bar_room(canvas.rect))
         canvas.trail([at for at in self.trail if math.dist(at, self.body.position) > RADIUS])
-        conceal(canvas, self.body)
-        canvas.body(self.body, theme.TEAL, opacity(self.body.mass, LIGHT, HEAVY))
+        shade = opacity(self.body.mass, LIGHT, HEAVY)
+        canvas.body(self.body, theme.TEAL, shade, conceals=True)
         self._draw_vectors(canvas)
         for place, (_, shown, color) in zip(_readouts(area), self._numbers(), strict=True):
             page.value(surface, place, shown, color)

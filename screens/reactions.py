@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from engine import Body, Collision, Force, Particle, Push, Vector, Wall, World
 from screens.kit import gauge, hits, impulses, page, probes, theme
-from screens.kit.bodies import conceal, distance, enclose, opacity
+from screens.kit.bodies import distance, enclose, opacity
 from screens.kit.canvas import Canvas, bar_room
 from screens.kit.events import Event, Resize, Tap, Tick, Tilt
 from screens.kit.geometry import Point, Rect, Size
@@ -204,16 +204,13 @@ class Reactions:
         """A ball, and nothing shows through it of what lies in the rectangles `under` (dp)."""
         x, y = canvas.view.to_screen(ball.position)
         radius = impulses.radius_of(ball) * canvas.view.scale
-        for left, top, width, height in under:
-            if (
-                left - radius < x < left + width + radius
-                and top - radius < y < top + height + radius
-            ):
-                conceal(canvas, ball)
-                break
+        conceals = any(
+            left - radius < x < left + width + radius and top - radius < y < top + height + radius
+            for left, top, width, height in under
+        )
         first = self.chosen["particle.mass"]
         shade = opacity(ball.mass, LIGHTEST * first, HEAVIEST * first)
-        canvas.body(ball, color, shade, letter)
+        canvas.body(ball, color, shade, letter, conceals)
 
     def _draw_refusal(self, canvas: Canvas, name: str, at: Point, since: float) -> None:
         """A cross where a ball found no room, and the reason."""

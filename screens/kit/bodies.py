@@ -3,8 +3,7 @@
 import math
 from functools import lru_cache
 
-from engine import Body, Circle, Particle, Polygon, Vector, Wall, World
-from screens.kit import theme
+from engine import Body, Vector, Wall, World
 from screens.kit.canvas import Canvas
 from screens.kit.view import Room
 
@@ -88,18 +87,6 @@ def beside(canvas: Canvas, center: Vector, reach: tuple[float, float], radius: f
     front = radius * scale / length
     ahead = front * fitting(canvas, middle, (front * dx, front * dy)) - 1.0
     return Vector(middle[0] + ahead * dx / scale, middle[1] + ahead * dy / scale)
-
-
-def conceal(canvas: Canvas, body: Body) -> None:
-    """Hide what is drawn already where a body will be, so that nothing shows through a pale one."""
-    view, shape = canvas.view, body.shape
-    with canvas.surface.clip(canvas.rect):
-        if isinstance(shape, Polygon):
-            corners = [view.to_screen(corner) for corner in body.vertices]
-            canvas.surface.polygon(corners, theme.CANVAS)
-        elif isinstance(shape, Circle | Particle):
-            center, radius = view.to_screen(body.position), shape.radius * view.scale
-            canvas.surface.circle(center, radius, theme.CANVAS)
 
 
 def distance(at: Vector, start: Vector, end: Vector) -> float:

@@ -81,10 +81,18 @@ class Canvas:
             words, middle, theme.SMALL, theme.TEXT_MEDIUM, align="center", valign="baseline"
         )
 
-    def body(self, body: Body, color: Color, opacity: float = 1, letter: str = "") -> None:
+    def body(
+        self,
+        body: Body,
+        color: Color,
+        opacity: float = 1,
+        letter: str = "",
+        conceals: bool = False,
+    ) -> None:
         """A body, pale by `opacity` but with a full outline, and a letter on it.
 
-        A circle that can spin has a mark that turns with it.
+        A circle that can spin has a mark that turns with it. A pale body that `conceals` does not
+        let show through what is drawn already.
         """
         shape = body.shape
         if isinstance(shape, Wall):
@@ -92,19 +100,21 @@ class Canvas:
             return
         center = self.view.to_screen(body.position)
         ink = letter_color(color, opacity)
+        ground = theme.CANVAS if conceals else None
         if isinstance(shape, Polygon):
             corners = [self.view.to_screen(v) for v in body.vertices]
             with self._within(*corners):
-                self._polygon(corners, color, opacity)
+                self._polygon(corners, color, opacity, ground)
                 self.surface.letter(letter, center, theme.LETTER, ink)
             return
         radius = shape.radius * self.view.scale
         x, y = center
         with self._within(Point(x - radius, y - radius), Point(x + radius, y + radius)):
-            self._disc(center, radius, color, opacity)
+            self.surface.circle(center, radius, color, opacity, outline=color, ground=ground)
             if isinstance(shape, Circle):
                 self._spin_mark(center, radius, body.angle, color)
             self.surface.letter(letter, center, theme.LETTER, ink)
+        self.labels.block_circle(center, radius)
 
     def wall(self, wall: Wall, color: Color = theme.WALL) -> None:
         """A wall, as a thick line with round ends."""
@@ -189,17 +199,17 @@ class Canvas:
                 return self.surface.clip(rect)
         return nullcontext()
 
-    def _disc(self, center: Point, radius: float, color: Color, opacity: float) -> None:
-        self.surface.circle(center, radius, color, opacity, outline=color)
-        self.labels.block_circle(center, radius)
-
     def _spin_mark(self, center: Point, radius: float, angle: float, color: Color) -> None:
         x, y = math.cos(angle) * radius, -math.sin(angle) * radius
         near = Point(center.x + SPIN_MARK * x, center.y + SPIN_MARK * y)
         far = Point(center.x + 0.92 * x, center.y + 0.92 * y)
         self.surface.capsule(near, far, theme.OUTLINE_WIDTH, color)
 
-    def _polygon(self, corners: list[Point], color: Color, opacity: float) -> None:
+    def _polygon(
+        self, corners: list[Point], color: Color, opacity: float, ground: Color | None
+    ) -> None:
+        if ground is not None:
+            self.surface.polygon(corners, ground)
         self.surface.polygon(corners, color, opacity, outline=color)
         xs, ys = [p.x for p in corners], [p.y for p in corners]
         self.labels.block(Rect(min(xs), min(ys), max(xs) - min(xs), max(ys) - min(ys)))

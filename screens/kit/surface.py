@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from screens.kit import arrows
 from screens.kit.cache import Cache
+from screens.kit.discs import LARGEST, Coat
 from screens.kit.geometry import Point, Rect, Size
 from screens.kit.picture import Picture
 from screens.kit.raster import FILLED, ArrowShape, Bar, Box, Disc, Hull, Look, Shape, Slab, Stroke
@@ -22,8 +23,6 @@ Place = tuple[float, float]
 Align = Literal["left", "center", "right"]
 Valign = Literal["top", "middle", "baseline"]
 
-PHASES, SMALL = 16, 96.0
-"""Discs of up to 96 px radius are placed to a sixteenth of a pixel, so that masks are met again."""
 HALVES, FINEST = 2, 64
 """Fading arrows start at such parts of a pixel, and their reach is rounded to such parts."""
 FAR = 1e5
@@ -111,13 +110,21 @@ class Surface:
         outline: Color | None = None,
         outline_width: float = 1.5,
         outline_alpha: float = 1,
+        ground: Color | None = None,
     ) -> None:
-        """A disc; the outline lies inside its edge."""
+        """A disc; the outline lies inside its edge.
+
+        With a `ground` a pale disc lets this colour show through, not what is below it.
+        """
         x, y, r = center[0] * self.scale, center[1] * self.scale, radius * self.scale
-        if 0 < r <= SMALL and abs(x) < FAR and abs(y) < FAR:
-            x, y = round(x * PHASES) / PHASES, round(y * PHASES) / PHASES
-        if r > 0:
-            self._shape(Disc(x, y, r), color, alpha, outline, outline_width, outline_alpha)
+        if 0 < r <= LARGEST and abs(x) < FAR and abs(y) < FAR:
+            line, rim = self._thickness(outline_width, outline_alpha)
+            self._picture.disc(x, y, r, Coat(color, alpha, outline, rim, line, ground))
+        elif r > 0:
+            disc = Disc(x, y, r)
+            if ground is not None:
+                self._picture.paint(disc, FILLED, ground, 1)
+            self._shape(disc, color, alpha, outline, outline_width, outline_alpha)
 
     def polygon(
         self,

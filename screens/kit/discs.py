@@ -1,0 +1,126 @@
+"""Discs at any fraction of a pixel, all their layers in one sprite.
+
+How a disc looks depends on nothing but the distance from its middle. So colours are worked out once
+for each distance, and a sprite is made by looking up the squared distance of every pixel, which is
+the sum of one number for its column and one for its row.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from screens.kit.cache import Cache
+from screens.kit.raster import Box
+from screens.kit.theme import Color
+
+LARGEST = 200.0
+"""Radius of the largest disc that is drawn so (px): the table grows with it."""
+FINE, FINEST = 128.0, 256.0
+"""So many entries of the table lie within a pixel of a disc's edge, times half its radius (px);
+and so many at most for each px^2. Half an entry is less than 1/255 of a pixel."""
+TABLES = 1 << 20
+"""Bytes that the tables may take."""
+OVERHEAD = 300
+"""Bytes that holding a table takes beyond its entries."""
+
+
+class Coat(NamedTuple):
+    """What a disc is painted with: the ground lies below the area, the rim over it."""
+
+    color: Color | None
+    """Of the area; None: there is none."""
+    alpha: float = 1.0
+    """0..1"""
+    rim: Color | None = None
+    rim_alpha: float = 1.0
+    rim_width: float = 0.0
+    """Inwards from the edge (px)."""
+    ground: Color | None = None
+    """What shows through a pale area instead of what was drawn before."""
+
+
+class Discs:
+    """Makes sprites of discs; keeps the tables of those it made last."""
+
+    def __init__(self) -> None:
+        """Start with no table."""
+        self._tables: Cache[NDArray[np.uint32]] = Cache(TABLES)
+
+    def sprite(self, x: float, y: float, radius: float, coat: Coat, box: Box) -> NDArray[np.uint32]:
+        """The pixels of `box`, each 0xAARRGGBB, its colour not multiplied by its opacity.
+
+        The middle (x, y) and the radius are in px; no radius may exceed `LARGEST`.
+        """
+        table = self._tables.find((radius, coat))
+        if table is None:
+            table = _table(radius, coat)
+            self._tables.keep((radius, coat), table, table.nbytes + OVERHEAD)
+        left, top, right, bottom = box
+        steps = _steps(radius)
+        columns = _squares(left - x, right - left, steps)
+        rows = _squares(top - y, bottom - top, steps)
+        # Whatever lies beyond the table gets its last entry, which is clear.
+        return table.take(rows[:, None] + columns, mode="clip")
+
+
+def _squares(first: float, count: int, steps: float) -> NDArray[np.int64]:
+    """Squared distance of pixels' middles along one axis, in entries of a table.
+
+    `first` is where the first pixel begins (px from the middle of the disc).
+    """
+    squares = np.arange(count) + (first + 0.5)
+    squares *= squares
+    squares *= steps
+    squares += 0.25  # Both are rounded down: on average their sum is neither too large nor small.
+    return squares.astype(np.int64)
+
+
+def _steps(radius: float) -> float:
+    """Entries of a table for each px^2 of squared distance."""
+    return min(FINE / radius, FINEST)
+
+
+def _table(radius: float, coat: Coat) -> NDArray[np.uint32]:
+    """The colour of a disc (0xAARRGGBB) by squared distance from its middle."""
+    steps = _steps(radius)
+    count = math.ceil(steps * (radius + 0.5) * (radius + 0.5)) + 1
+    distance = np.sqrt((np.arange(count) + 0.25) / steps) - radius
+    layers: list[tuple[Color, NDArray[np.float64]]] = []
+    line = coat.rim_width / 2
+    if coat.ground is not None:
+        layers.append((coat.ground, _covered(distance, 1.0)))
+    if coat.color is not None:
+        inset = line if coat.rim not in (None, coat.color) else 0.0
+        layers.append((coat.color, _covered(distance + inset, coat.alpha)))
+    if coat.rim is not None:
+        layers.append((coat.rim, _covered(np.abs(distance + line) - line, coat.rim_alpha)))
+    table = _stacked(layers, count)
+    table[-1] = 0
+    return table
+
+
+def _covered(distance: NDArray[np.float64], alpha: float) -> NDArray[np.float64]:
+    """How much of a pixel is covered (0..1) whose middle is so far outside an edge (px)."""
+    return np.minimum(np.maximum(0.5 - distance, 0.0), 1.0) * min(max(alpha, 0.0), 1.0)
+
+
+def _stacked(layers: list[tuple[Color, NDArray[np.float64]]], count: int) -> NDArray[np.uint32]:
+    """What layers show together, the lowest first: each 0xAARRGGBB."""
+    opacity = np.zeros(count)
+    channels = np.zeros((3, count))
+    for color, cover in layers:
+        opacity += cover - opacity * cover
+        for channel, value in zip(channels, color, strict=True):
+            channel += (value - channel) * cover
+    stacked = _byte(255.0 * opacity) << np.uint32(24)
+    full = np.maximum(opacity, 1e-9)
+    for channel, shift in zip(channels, (16, 8, 0), strict=True):
+        stacked |= _byte(channel / full) << np.uint32(shift)
+    return stacked
+
+
+def _byte(values: NDArray[np.float64]) -> NDArray[np.uint32]:
+    """Values of 0..255, rounded."""
+    return (values + 0.5).astype(np.uint32)
