@@ -18,8 +18,8 @@ from screens.kit.theme import Color
 LARGEST = 200.0
 """Radius of the largest disc that is drawn so (px): the table grows with it."""
 FINE, FINEST = 128.0, 256.0
-"""So many entries of the table lie within a pixel of a disc's edge, times half its radius (px);
-and so many at most for each px^2. Half an entry is less than 1/255 of a pixel."""
+"""Entries of the table for each px^2 of squared distance, times the radius (px), and at most: an
+entry is 1/256 of a pixel at the edge."""
 TABLES = 1 << 20
 """Bytes that the tables may take."""
 OVERHEAD = 300
@@ -66,14 +66,14 @@ class Discs:
 
 
 def _squares(first: float, count: int, steps: float) -> NDArray[np.int64]:
-    """Squared distance of pixels' middles along one axis, in entries of a table.
+    """Squared distance of pixels' middles along one axis, in entries of a table, rounded down.
 
     `first` is where the first pixel begins (px from the middle of the disc).
     """
-    squares = np.arange(count) + (first + 0.5)
+    squares = np.arange(0.5, count)
+    squares += first
     squares *= squares
     squares *= steps
-    squares += 0.25  # Both are rounded down: on average their sum is neither too large nor small.
     return squares.astype(np.int64)
 
 
@@ -86,7 +86,8 @@ def _table(radius: float, coat: Coat) -> NDArray[np.uint32]:
     """The colour of a disc (0xAARRGGBB) by squared distance from its middle."""
     steps = _steps(radius)
     count = math.ceil(steps * (radius + 0.5) * (radius + 0.5)) + 1
-    distance = np.sqrt((np.arange(count) + 0.25) / steps) - radius
+    # Two numbers that were rounded down are one entry too small together, on average.
+    distance = np.sqrt(np.arange(1, count + 1) / steps) - radius
     layers: list[tuple[Color, NDArray[np.float64]]] = []
     line = coat.rim_width / 2
     if coat.ground is not None:

@@ -6,6 +6,7 @@ Masks, sprites and static layers are kept, within bounds, and used again.
 import math
 from collections.abc import Hashable, Iterator
 from contextlib import contextmanager
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,8 +25,10 @@ MASKS = 2 << 20
 """Bytes that coverage masks may take."""
 OVERHEAD = 500
 """Bytes that holding a value takes beyond its pixels."""
-CHANGES = 1000
-"""So many changed places are remembered before the whole picture counts as changed."""
+LAYOUT: Final = "RGBX"
+SPRITE: Final = "RGBA"
+"""Order of bytes of pictures and sprites, as pygame is told. What it takes for red is our blue:
+only so it paints on memory that is not its own."""
 STRIP = 64
 """Height of the sprite that darkens a picture, strip by strip (px)."""
 
@@ -45,21 +48,22 @@ class Picture:
             )
         self.width = width
         self.height = height
-        self._surface = pygame.Surface((width, height), 0, 32, (0xFF0000, 0xFF00, 0xFF, 0))
         self._masks: Cache[Coverage] = like._masks if like else Cache(MASKS)
         self._sprites: Cache[pygame.Surface] = like._sprites if like else Cache(SPRITES)
         self._discs: Discs = like._discs if like else Discs()
         self._clip = Box(0, 0, width, height)
         """What may be painted."""
-        self._ground: Picture | None = None
-        """The layer that is shown, but for the changes."""
-        self._changes: list[pygame.Rect] = []
+        self._begin(np.zeros((height, width), np.uint32))
 
     def pixels(self) -> NDArray[np.uint32]:
-        """A copy, shape (height, width), each 0x00RRGGBB, C-contiguous."""
-        view = pygame.surfarray.pixels2d(self._surface).T
-        copy: NDArray[np.uint32] = np.bitwise_and(view, np.uint32(0xFFFFFF), order="C")
-        return copy
+        """The picture as it is now, shape (height, width), each 0x00RRGGBB, C-contiguous.
+
+        Whoever gets the array owns it: what is painted later is painted on another one.
+        """
+        if not CLEAR:
+            np.bitwise_and(self._pixels, np.uint32(0xFFFFFF), out=self._pixels)
+        self._is_given = True
+        return self._pixels
 
     @contextmanager
     def clip(self, box: Box) -> Iterator[None]:
@@ -75,11 +79,25 @@ class Picture:
         self._clip = box
         self._surface.set_clip((box.left, box.top, *box.extent))
 
+    def _begin(self, pixels: NDArray[np.uint32]) -> None:
+        """Go on painting on these pixels."""
+        self._pixels = pixels
+        self._surface = pygame.image.frombuffer(pixels.data, (self.width, self.height), LAYOUT)
+        self._is_given = False
+        self._set_clip(self._clip)
+
+    def _ready(self) -> pygame.Surface:
+        """What to paint on: never what somebody else owns by now."""
+        if self._is_given:
+            self._begin(self._pixels.copy())
+        return self._surface
+
     def fill(self, color: Color, box: Box | None = None) -> None:
         """Paint a rectangle, or all that may be painted."""
         inner = box.meet(self._clip) if box is not None else self._clip
         if inner.area:
-            self._changed(self._surface.fill(color, (inner.left, inner.top, *inner.extent)))
+            red, green, blue = color
+            self._ready().fill((blue, green, red), (inner.left, inner.top, *inner.extent))
 
     def darken(self, alpha: float) -> None:
         """Lay black of this opacity over everything."""
@@ -103,7 +121,7 @@ class Picture:
             return
         if box.area > self.width * self.height:
             sprite = _sprite(cover(shape, look, seen), color, _level(alpha))
-            self._changed(self._surface.blit(sprite, (seen.left, seen.top)))
+            self._ready().blit(sprite, (seen.left, seen.top))
             return
         home = shape.moved(-box.left, -box.top)
         key = (type(home), home, look)
@@ -123,8 +141,8 @@ class Picture:
             math.ceil(y + radius + 0.5),
         )
         if box.meet(self._clip).area:
-            sprite = self._discs.sprite(x, y, radius, coat, box)
-            self._changed(self._surface.blit(_picture(sprite), (box.left, box.top)))
+            sprite = _picture(self._discs.sprite(x, y, radius, coat, box))
+            self._ready().blit(sprite, (box.left, box.top))
 
     def mask(self, key: Hashable) -> Coverage | None:
         """The mask that was stamped under this key, if it is still held."""
@@ -135,7 +153,7 @@ class Picture:
         sprite = self._sprites.find((key, color, _level(alpha)))
         if sprite is None:
             return False
-        self._changed(self._surface.blit(sprite, (left, top)))
+        self._ready().blit(sprite, (left, top))
         return True
 
     def stamp(
@@ -157,29 +175,16 @@ class Picture:
         sprite = _sprite(mask, color, level)
         if not fleeting:
             self._sprites.keep((key, color, level), sprite, 4 * mask.size + OVERHEAD)
-        self._changed(self._surface.blit(sprite, (left, top)))
+        self._ready().blit(sprite, (left, top))
 
     def show(self, layer: "Picture") -> None:
-        """Show a finished layer of the same size; where it still shows, nothing is copied."""
-        whole = self._surface.get_rect()
-        changes = [whole] if layer is not self._ground else self._changes
-        if sum(change.width * change.height for change in changes) > whole.width * whole.height / 2:
-            changes = [whole]
-        # Copied by numpy: SDL is ten times as slow at small opaque rectangles.
-        here, ground = (pygame.surfarray.pixels2d(p._surface).T for p in (self, layer))
-        for change in changes:
-            left, top, right, bottom = self._clip.meet(Box(*change.topleft, *change.bottomright))
-            here[top:bottom, left:right] = ground[top:bottom, left:right]
-        self._ground = layer if self._clip.extent == whole.size else None
-        self._changes = []
-
-    def _changed(self, place: pygame.Rect) -> None:
-        if self._ground is not None:
-            if self._changes and self._changes[-1].contains(place):
-                return
-            self._changes.append(place)
-            if len(self._changes) > CHANGES:
-                self._ground, self._changes = None, []
+        """Show a finished layer of the same size."""
+        if self._clip.extent == (self.width, self.height):
+            self._begin(layer._pixels.copy())
+        elif self._clip.area:
+            left, top, right, bottom = self._clip
+            self._ready()
+            self._pixels[top:bottom, left:right] = layer._pixels[top:bottom, left:right]
 
 
 def _level(alpha: float) -> int:
@@ -202,4 +207,17 @@ def _sprite(coverage: Coverage, color: Color, level: int) -> pygame.Surface:
 def _picture(pixels: NDArray[np.uint32]) -> pygame.Surface:
     """Pixels (0xAARRGGBB) as something to blit."""
     height, width = pixels.shape
-    return pygame.image.frombuffer(pixels.data, (width, height), "BGRA")
+    return pygame.image.frombuffer(pixels.data, (width, height), SPRITE)
+
+
+def _is_clear() -> bool:
+    """Whether blits keep the unused byte of pixels at zero; not all processors need do so."""
+    opacities = np.arange(256, dtype=np.uint32)[None, :] << np.uint32(24)
+    pixels = np.zeros_like(opacities)
+    picture = pygame.image.frombuffer(pixels.data, (256, 1), LAYOUT)
+    picture.blit(_picture(opacities), (0, 0))
+    return not pixels.any()
+
+
+CLEAR = _is_clear()
+"""Otherwise it is cleared when a picture is done."""

@@ -60,7 +60,10 @@ class Surface:
         self._layers: Cache[Surface] = Cache(LAYERS)
 
     def pixels(self) -> NDArray[np.uint32]:
-        """A copy of the picture, shape (height, width), each 0x00RRGGBB, C-contiguous."""
+        """The picture as it is now, shape (height, width), each 0x00RRGGBB, C-contiguous.
+
+        Whoever gets the array owns it: what is drawn later is drawn on another one.
+        """
         return self._picture.pixels()
 
     def snap(self, value: float) -> float:

@@ -187,6 +187,24 @@ class TestPictures:
         assert (pixels == 0x123456).all()
         surface.fill(theme.BLACK)
         assert (pixels == 0x123456).all()
+        assert not surface.pixels().any()
+
+    def test_pixels_stay_as_they_are_whatever_is_drawn_next(self):
+        surface = black()
+        drawings = (
+            lambda: surface.circle((50, 50), 20, theme.TEAL),
+            lambda: surface.arrow((50, 50), (90, 70), theme.TEAL),
+            lambda: surface.text("Speed", (20, 30), theme.VALUE, theme.TEXT),
+            lambda: surface.static("page", lambda layer: layer.fill(theme.CANVAS)),
+            lambda: surface.scrim(0.5),
+        )
+        for draw in drawings:
+            before = surface.pixels()
+            kept = before.copy()
+            draw()
+            assert (before == kept).all()
+            assert not (surface.pixels() == kept).all()
+            assert not (surface.pixels() >> 24).any()
 
     def test_the_static_picture_is_painted_once(self):
         surface, calls = black(), []
