@@ -5,6 +5,7 @@ from engine.bulk import Tracks
 from engine.collision import Collision, Diverged, Removed
 from engine.force_laws import ActingLaw, PointGravity, SpringTo
 from engine.forces import Force, LinearDrag, Push, QuadraticDrag, Torque
+from engine.queries import Hit, Nearest
 from engine.recording import Recording
 from engine.replay import Divergence, replay
 from engine.settings import TICK
@@ -22,7 +23,9 @@ __all__ = [
     "Diverged",
     "Divergence",
     "Force",
+    "Hit",
     "LinearDrag",
+    "Nearest",
     "Particle",
     "PointGravity",
     "Polygon",

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from engine import bulk, callbacks, collision, portable, validate
+from engine import bulk, callbacks, collision, portable, queries, validate
 from engine.asking import ask
 from engine.body import Body, OnCollision, OnMove
 from engine.bulk import Tracks
@@ -17,6 +17,7 @@ from engine.inputs import noted
 from engine.jit import choose
 from engine.pairing import as_arrays, pair_up
 from engine.plain import Functions
+from engine.queries import Choice, Hit, Nearest
 from engine.recording import Recording
 from engine.settings import TICK, Rule, geometric_mean, larger, laws
 from engine.shapes import Shape
@@ -211,6 +212,66 @@ class World:
     def force_laws(self) -> tuple[ActingLaw, ...]:
         """The laws of force that act, in the order in which they were added."""
         return tuple(self.store.acting.values())
+
+    def query_point(
+        self, point: Any, mask: int = ALL, leave_out: Iterable[Body] = ()
+    ) -> list[Body]:
+        """Bodies that contain a point (m), in the order of ids; a wall contains what is on it.
+
+        Args:
+            point: of the world (m).
+            mask: bits of the categories in question.
+            leave_out: bodies that are not in question.
+        """
+        return queries.at_point(Choice(self.store, mask, leave_out), point)
+
+    def query_box(
+        self, low: Any, high: Any, mask: int = ALL, leave_out: Iterable[Body] = ()
+    ) -> list[Body]:
+        """Bodies that touch the upright box between two corners (m), in the order of ids."""
+        return queries.in_box(Choice(self.store, mask, leave_out), low, high)
+
+    def cast_ray(
+        self, start: Any, end: Any, mask: int = ALL, leave_out: Iterable[Body] = ()
+    ) -> Hit | None:
+        """The first body on the way from start to end (m); None if there is none.
+
+        A body that contains the start is hit at once. One-sided walls let through what comes from
+        behind.
+        """
+        return next(iter(self.cast_ray_through(start, end, mask, leave_out)), None)
+
+    def cast_ray_through(
+        self, start: Any, end: Any, mask: int = ALL, leave_out: Iterable[Body] = ()
+    ) -> list[Hit]:
+        """All bodies on the way from start to end (m), by distance, then by ids."""
+        return queries.along_ray(Choice(self.store, mask, leave_out), start, end)
+
+    def cast_shape(
+        self,
+        shape: Shape,
+        start: Any,
+        end: Any,
+        angle: float = 0.0,
+        mask: int = ALL,
+        leave_out: Iterable[Body] = (),
+    ) -> Hit | None:
+        """The first body that a shape touches whose centre moves from start to end (m).
+
+        It keeps its angle (rad). What it touches at the start is hit at once.
+        """
+        choice = Choice(self.store, mask, leave_out)
+        return next(iter(queries.along_sweep(choice, shape, start, end, angle)), None)
+
+    def nearest(
+        self,
+        point: Any,
+        mask: int = ALL,
+        leave_out: Iterable[Body] = (),
+        within: float = math.inf,
+    ) -> Nearest | None:
+        """The body whose surface is nearest to a point; None if none is `within` (m) reach."""
+        return queries.nearest_to(Choice(self.store, mask, leave_out), point, within)
 
     def __iter__(self) -> Iterator[Body]:
         """The bodies, walls too, in the order of their ids."""

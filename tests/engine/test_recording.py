@@ -29,6 +29,7 @@ READS = {
     World: {
         "step", "run", "state", "record", "snapshot", "to_dict", "from_dict", "digest", "body",
         "row", "is_acting", "ignores",
+        "query_point", "query_box", "cast_ray", "cast_ray_through", "cast_shape", "nearest",
     },
     Body: {"to_world", "to_local"},
     Push: set(),
