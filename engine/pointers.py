@@ -1,0 +1,185 @@
+"""What tables are in machine code: pointers and nothing else. Imported only where numba compiles.
+
+Kernels say `t.bodies.x[row]`. Interpreted, these are named tuples of memoryviews. Compiled, every
+table is the same pointer to one array of addresses, its *directory*; `.x` loads the address that
+stands at the place of that column, and `[row]` loads eight bytes from there. Nothing is counted,
+checked or wrapped around, and a call from Python hands over a single number.
+"""
+
+import operator
+from functools import cache
+from typing import Any, get_type_hints
+
+import numpy as np
+from llvmlite import ir
+from numba import types
+from numba.core.typing.templates import AbstractTemplate, AttributeTemplate, signature
+from numba.extending import (
+    infer_getattr,
+    intrinsic,
+    lower_builtin,
+    lower_getattr_generic,
+    models,
+    register_model,
+)
+from numba.core.typing.templates import infer_global
+
+from engine.settings import Laws
+from engine.tables import Floats, Ints, Tables
+
+WORD = ir.IntType(64)
+SCALARS = {float: types.float64, int: types.int64}
+COLUMNS = {Floats: types.float64, Ints: types.int64}
+MACHINE = {types.float64: ir.DoubleType(), types.int64: WORD}
+
+
+class Column(types.Type):  # type: ignore[misc]
+    """A pointer to the first of contiguous float64 or int64."""
+
+    def __init__(self, name: str, kind: Any) -> None:
+        super().__init__(f"Column({name})")
+        self.column = name
+        self.kind = kind
+
+
+class Handle(types.Type):  # type: ignore[misc]
+    """A pointer to the directory, and which part of it is meant."""
+
+    def __init__(self, part: Any, first: int) -> None:
+        super().__init__(f"Handle({part.__name__}, {first})")
+        self.part = part
+        self.first = first
+
+
+@cache
+def members(part: Any, first: int) -> dict[str, tuple[Any, int]]:
+    """For each member of a table or tuple of tables: what it is, and its word in the directory."""
+    found: dict[str, tuple[Any, int]] = {}
+    at = first
+    for name, kind in get_type_hints(part).items():
+        if kind in COLUMNS:
+            found[name] = (Column(f"{part.__name__}.{name}", COLUMNS[kind]), at)
+        elif kind in SCALARS:
+            found[name] = (SCALARS[kind], at)
+        else:
+            found[name] = (Handle(kind, at), at)
+        at += words(kind)
+    return found
+
+
+def words(kind: Any) -> int:
+    """Number of words of the directory that something takes."""
+    if hasattr(kind, "_fields"):
+        return sum(words(inner) for inner in get_type_hints(kind).values())
+    return 1
+
+
+@register_model(Column)
+class ColumnModel(models.PrimitiveModel):  # type: ignore[misc]
+    """One machine word."""
+
+    def __init__(self, dmm: Any, fe_type: Column) -> None:
+        super().__init__(dmm, fe_type, MACHINE[fe_type.kind].as_pointer())
+
+
+@register_model(Handle)
+class HandleModel(models.PrimitiveModel):  # type: ignore[misc]
+    """One machine word."""
+
+    def __init__(self, dmm: Any, fe_type: Handle) -> None:
+        super().__init__(dmm, fe_type, WORD.as_pointer())
+
+
+@infer_getattr
+class Members(AttributeTemplate):  # type: ignore[misc]
+    """The type of `table.column`."""
+
+    key = Handle
+
+    def generic_resolve(self, handle: Handle, name: str) -> Any:
+        return members(handle.part, handle.first).get(name, (None, 0))[0]
+
+
+@lower_getattr_generic(Handle)
+def load_member(context: Any, builder: Any, handle: Handle, value: Any, name: str) -> Any:
+    """The address of a column, or the value of a scalar."""
+    kind, at = members(handle.part, handle.first)[name]
+    if isinstance(kind, Handle):
+        return value
+    place = builder.gep(value, [WORD(at)], inbounds=True)
+    machine = MACHINE[kind.kind].as_pointer() if isinstance(kind, Column) else MACHINE[kind]
+    loaded = builder.load(builder.bitcast(place, machine.as_pointer()))
+    loaded.set_metadata("invariant.load", builder.module.add_metadata([]))
+    return loaded
+
+
+@infer_global(operator.getitem)
+class Reads(AbstractTemplate):  # type: ignore[misc]
+    """The type of `column[row]`."""
+
+    def generic(self, args: Any, kws: Any) -> Any:
+        if isinstance(args[0], Column) and isinstance(args[1], types.Integer):
+            return signature(args[0].kind, args[0], types.intp)
+        return None
+
+
+@infer_global(operator.setitem)
+class Writes(AbstractTemplate):  # type: ignore[misc]
+    """The type of `column[row] = value`."""
+
+    def generic(self, args: Any, kws: Any) -> Any:
+        if isinstance(args[0], Column) and isinstance(args[1], types.Integer):
+            whole = isinstance(args[2], types.Integer | types.Boolean)
+            if whole or (args[0].kind is types.float64 and args[2] is types.float64):
+                return signature(types.none, args[0], types.intp, args[0].kind)
+        return None
+
+
+def own_memory(builder: Any, access: Any, column: Column) -> Any:
+    """Tell LLVM that columns do not overlap, so that it keeps what it read from the others."""
+    module = builder.module
+    root = module.add_metadata(["tables"])
+    kind = module.add_metadata([column.column, root, WORD(0)])
+    access.set_metadata("tbaa", module.add_metadata([kind, kind, WORD(0)]))
+    return access
+
+
+@lower_builtin(operator.getitem, Column, types.intp)
+def read(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+    """Load eight bytes."""
+    place = builder.gep(args[0], [args[1]], inbounds=True)
+    return own_memory(builder, builder.load(place), sig.args[0])
+
+
+@lower_builtin(operator.setitem, Column, types.intp, types.Any)
+def write(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+    """Store eight bytes."""
+    place = builder.gep(args[0], [args[1]], inbounds=True)
+    own_memory(builder, builder.store(args[2], place), sig.args[0])
+    return context.get_dummy_value()
+
+
+def at_address(part: Any, first: int) -> Any:
+    """Make the function that turns the address of a directory into a handle of a part of it."""
+
+    @intrinsic  # type: ignore[untyped-decorator]
+    def handle(typing: Any, address: Any) -> Any:
+        def lower(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+            return builder.inttoptr(args[0], WORD.as_pointer())
+
+        return Handle(part, first)(types.int64), lower
+
+    return handle
+
+
+tables_at = at_address(Tables, 0)
+laws_at = at_address(Laws, words(Tables))
+
+
+def directory(tables: Tables, laws: Laws) -> Any:
+    """The array of addresses of all columns, then the laws, for `tables_at` and `laws_at`."""
+    addresses = [np.asarray(column).ctypes.data for table in tables for column in table]
+    scalars = np.zeros(len(laws), np.int64)
+    for i, (value, kind) in enumerate(zip(laws, get_type_hints(Laws).values(), strict=True)):
+        scalars.view(np.float64 if kind is float else np.int64)[i] = value
+    return np.concatenate((np.array(addresses, np.int64), scalars))
