@@ -33,7 +33,7 @@ def accelerate(
     for row in range(count):
         bodies.ax[row] = bodies.ay[row] = bodies.aspin[row] = 0.0
         bodies.lead_x[row] = bodies.lead_y[row] = bodies.lead_spin[row] = 0.0
-    push(bodies, pushes, pushing, dt)
+    push(bodies, count, pushes, pushing, dt)
     fielded = fields.used[0]
     everyone = 0
     while everyone < fielded and fields.row[everyone] == EVERY_BODY:
@@ -55,13 +55,13 @@ def accelerate(
         first = last
 
 
-def push(bodies: Bodies, pushes: Pushes, pushing: int, dt: float) -> None:
+def push(bodies: Bodies, count: int, pushes: Pushes, pushing: int, dt: float) -> None:
     """Add up the pushes; one that ends within the tick counts for the part that it lasts.
 
     A force F over the first part tau of the tick moves the body by F/m tau (dt - tau/2): the lead
     is what the mean acceleration F/m tau/dt lacks of that.
     """
-    for row in range(len(bodies.torque)):
+    for row in range(count):
         bodies.torque[row] = 0.0
     for i in range(pushing):
         row = pushes.row[i]

@@ -6,7 +6,7 @@ of second order in such forces. A call costs what Python costs, some microsecond
 more pass of the kernels that let forces act.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
@@ -14,27 +14,27 @@ import numpy as np
 
 from engine.fields import GIVEN
 from engine.force_laws import effort
-from engine.settings import RK4, VELOCITY_VERLET
+from engine.settings import RK4, VELOCITY_VERLET, Laws
 from engine.store import Store
+from engine.tick import act
 
 MOVED = ("x", "y", "angle", "vx", "vy", "spin")
 
 
-def ask(store: Store, integrator: int, dt: float, act: Callable[[float], object]) -> None:
+def ask(store: Store, laws: Laws, dt: float) -> None:
     """Write to `Fields` what the functions give for a tick.
 
     Args:
         store: of the world.
-        integrator: of the world.
+        laws: of the world.
         dt: length of the tick (s).
-        act: lets forces act for a tick, so that accelerations and leads are known.
     """
     fields = store.tables.fields
     for i, (x, y, torque) in answers(store, store.time):
         fields.x[i], fields.y[i], fields.torque[i] = x, y, torque
         fields.later_x[i], fields.later_y[i], fields.later_torque[i] = x, y, torque
-    if integrator in (VELOCITY_VERLET, RK4):
-        with foreseen(store, dt, act):
+    if laws.integrator in (VELOCITY_VERLET, RK4):
+        with foreseen(store, laws, dt):
             at_the_end = answers(store, store.time + dt)
         for i, given in at_the_end:
             fields.later_x[i], fields.later_y[i], fields.later_torque[i] = given
@@ -53,7 +53,7 @@ def answers(store: Store, time: float) -> list[tuple[int, tuple[float, float, fl
 
 
 @contextmanager
-def foreseen(store: Store, dt: float, act: Callable[[float], object]) -> Iterator[None]:
+def foreseen(store: Store, laws: Laws, dt: float) -> Iterator[None]:
     """Put the bodies where forces alone would bring them in `dt` seconds; afterwards, back."""
     bodies, count = store.tables.bodies, store.count("bodies")
     left = np.asarray(store.tables.pushes.left)
@@ -61,7 +61,7 @@ def foreseen(store: Store, dt: float, act: Callable[[float], object]) -> Iterato
     before = {name: column[name].copy() for name in MOVED}
     time_left = left.copy()
     try:
-        act(dt)
+        act(store.tables, laws, dt)
         for pose, speed, lead, force in (
             ("x", "vx", "lead_x", "ax"),
             ("y", "vy", "lead_y", "ay"),

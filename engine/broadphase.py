@@ -1,11 +1,11 @@
-"""Which bodies may touch: boxes with a margin, sorted along x and swept.
+"""Where bodies may be for some ticks: boxes with a margin.
 
 A list of pairs holds as long as no body can leave its box within the tick. It is sorted by rows,
 and pairs in it that do not touch have no effect: results do not depend on how pairs were found.
 """
 
 from engine.pose import put
-from engine.tables import Bodies, Ints, Pieces, Tables
+from engine.tables import Bodies, Pieces, Tables
 from engine.travel import farthest, farthest_turn, has_escaped
 
 SLACK = 0.2
@@ -108,46 +108,3 @@ def extent(t: Tables, piece: int) -> tuple[float, float, float, float]:
         high_y = y if y > high_y else high_y
     radius = t.pieces.radius[piece]
     return low_x - radius, low_y - radius, high_x + radius, high_y + radius
-
-
-def sort(pieces: Pieces, count: int) -> None:
-    """Sort `order` by the left ends of the boxes (insertion: it is nearly sorted)."""
-    order = pieces.order
-    low = pieces.low_x
-    for i in range(1, count):
-        row = order[i]
-        key = low[row]
-        j = i - 1
-        while j >= 0 and low[order[j]] > key:
-            order[j + 1] = order[j]
-            j -= 1
-        order[j + 1] = row
-
-
-def sweep(bodies: Bodies, pieces: Pieces, count: int, a: Ints, b: Ints) -> int:
-    """Write all pairs of pieces whose boxes overlap; return their number, room for them or not."""
-    found = 0
-    room = len(a)
-    order = pieces.order
-    for i in range(count):
-        row = order[i]
-        right = pieces.high_x[row]
-        low = pieces.low_y[row]
-        high = pieces.high_y[row]
-        body = pieces.body[row]
-        immovable = bodies.inverse_mass[body] == 0.0
-        for j in range(i + 1, count):
-            other = order[j]
-            if pieces.low_x[other] > right:
-                break
-            if pieces.low_y[other] > high or pieces.high_y[other] < low:
-                continue
-            if pieces.body[other] == body:
-                continue
-            if immovable and bodies.inverse_mass[pieces.body[other]] == 0.0:
-                continue
-            if found < room:
-                a[found] = row if row < other else other
-                b[found] = other if row < other else row
-            found += 1
-    return found

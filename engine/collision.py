@@ -31,13 +31,12 @@ class Collision:
     """Of the impact (s, time of the world)."""
 
 
-def read(impacts: Impacts, handles: Sequence["Body"], time: float) -> list[Collision]:
+def read(impacts: Impacts, handles: Sequence["Body"]) -> list[Collision]:
     """Turn the table of impacts into collisions and empty it.
 
     Args:
-        impacts: the table.
+        impacts: the table, with times of the world.
         handles: the bodies in order of their rows.
-        time: when the tick began (s).
     """
     number = impacts.written[0]
     impacts.written[0] = 0
@@ -50,7 +49,7 @@ def read(impacts: Impacts, handles: Sequence["Body"], time: float) -> list[Colli
             impulse=Vector(impacts.impulse_x[i], impacts.impulse_y[i]),
             speed=impacts.speed[i],
             restitution=impacts.restitution[i],
-            time=time + impacts.time[i],
+            time=impacts.time[i],
         )
         for i in range(number)
     ]

@@ -67,7 +67,7 @@ def corners_of(shape: Shape) -> int:
 def write_piece(t: Tables, shape: Piece, body: int, row: int, corner: int) -> None:
     """Write a convex piece of the body in row `body` to `row`, its corners from `corner` on."""
     p, points, radius = t.pieces, shape.corners, shape.radius
-    p.body[row], p.first[row], p.corners[row], p.order[row] = body, corner, len(points), row
+    p.body[row], p.first[row], p.corners[row] = body, corner, len(points)
     p.radius[row], p.one_sided[row] = radius, int(shape.one_sided)
     p.before[row], p.after[row] = shape.before, shape.after
     p.x[row], p.y[row] = shape.center

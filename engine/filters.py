@@ -33,24 +33,6 @@ def group_number(value: Any) -> int:
     return validate.whole(value, "group", 0, MOST_GROUPS - 1)
 
 
-def may_touch(t: Tables, a: Any, b: Any) -> Any:
-    """Which pairs of bodies may touch, as booleans.
-
-    Args:
-        t: the tables.
-        a: rows of bodies, an array.
-        b: rows of as many other bodies.
-    """
-    category, mask = np.asarray(t.bodies.category), np.asarray(t.bodies.mask)
-    group, ids = np.asarray(t.bodies.group), np.asarray(t.bodies.id)
-    heeded = ((category[a] & mask[b]) != 0) & ((category[b] & mask[a]) != 0)
-    heeded &= (group[a] == 0) | (group[a] != group[b])
-    number = t.counts.ignored[0]
-    if number:
-        heeded &= ~np.isin(pair_keys(ids[a], ids[b]), ignored_keys(t.ignored, number))
-    return heeded
-
-
 def pair_keys(a: Any, b: Any) -> Any:
     """One number for each pair of ids, whichever comes first."""
     return (np.minimum(a, b) << 32) | np.maximum(a, b)

@@ -11,12 +11,13 @@ import importlib.util
 import inspect
 import os
 from collections.abc import Callable
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from engine import tick
-from engine.broadphase import fit_boxes, sort, sweep
+from engine.settings import Laws
+from engine.tables import Tables
 
 MODES = ("auto", "interpreted", "compiled")
 
@@ -35,6 +36,8 @@ SOURCES = (
     "manifolds.round_hull",
     "manifolds.round_round",
     "meeting",
+    "neighbours",
+    "pairing",
     "pose",
     "resting",
     "spring",
@@ -44,19 +47,25 @@ SOURCES = (
 """Modules whose functions are kernels."""
 
 
+Run = Callable[[float, int], int]
+"""Takes a length of tick (s) and a number of ticks, and works on the tables that it is bound to;
+see `tick.run` for what it returns."""
+
+
 class Kernels(NamedTuple):
-    """What a world calls; the signatures are those of the plain functions."""
+    """What a world runs on."""
 
     compiled: bool
-    start: Callable[..., tuple[int, bool]]
-    go: Callable[..., tuple[int, float]]
-    finish: Callable[..., int]
-    fit_boxes: Callable[..., None]
-    sort: Callable[..., None]
-    sweep: Callable[..., int]
+    bind: Callable[[Tables, Laws], Run]
+    """Makes `tick.run` ready to work on these tables under these laws."""
 
 
-INTERPRETED = Kernels(False, tick.start, tick.go, tick.finish, fit_boxes, sort, sweep)
+def bind_interpreted(tables: Tables, laws: Laws) -> Run:
+    """Let Python run the kernels."""
+    return partial(tick.run, tables, laws)
+
+
+INTERPRETED = Kernels(False, bind_interpreted)
 
 
 def choose(mode: str) -> Kernels:
@@ -88,55 +97,13 @@ def compiled() -> Kernels:
     """
     if not available():
         raise ImportError("compiled kernels need numba: pip install 'laws-of-motion[fast]'")
-    numba = importlib.import_module("numba")
-    extending = importlib.import_module("numba.extending")
+    pointers = importlib.import_module("engine.pointers")
     digest = hashlib.sha256()
+    for name in (*SOURCES, "jit", "pointers", "settings", "tables"):
+        digest.update(Path(inspect.getfile(importlib.import_module(f"engine.{name}"))).read_bytes())
     for name in SOURCES:
         module = importlib.import_module(f"engine.{name}")
-        digest.update(Path(inspect.getfile(module)).read_bytes())
         for function in vars(module).values():
             if inspect.isfunction(function) and function.__module__ == module.__name__:
-                extending.register_jitable(error_model="numpy")(function)
-    try:
-        return _entries(
-            numba.njit(cache=True, error_model="numpy", nogil=True, _nrt=False), digest.digest()
-        )
-    except RuntimeError:  # numba found no folder for its cache: compile for this process alone
-        return _entries(numba.njit(error_model="numpy", nogil=True), digest.digest())
-
-
-def _entries(compile_: Callable[[Any], Any], sources: bytes) -> Kernels:
-    """Make the outermost compiled functions; `sources` is part of the key of their cache."""
-    version = sources
-
-    @compile_
-    def start(t: Any, count: Any, pushes: Any, pushing: Any, laws: Any, dt: Any) -> Any:
-        _ = version
-        return tick.start(t, count, pushes, pushing, laws, dt)
-
-    @compile_
-    def go(t: Any, count: Any, pairs: Any, now: Any, dt: Any, substep: Any, limit: Any) -> Any:
-        _ = version
-        return tick.go(t, count, pairs, now, dt, substep, limit)
-
-    @compile_
-    def finish(t: Any, count: Any, pairs: Any, laws: Any, dt: Any) -> Any:
-        _ = version
-        return tick.finish(t, count, pairs, laws, dt)
-
-    @compile_
-    def boxes(t: Any, count: Any, dt: Any) -> Any:
-        _ = version
-        fit_boxes(t, count, dt)
-
-    @compile_
-    def order(pieces: Any, count: Any) -> Any:
-        _ = version
-        sort(pieces, count)
-
-    @compile_
-    def pairs(bodies: Any, pieces: Any, count: Any, a: Any, b: Any) -> Any:
-        _ = version
-        return sweep(bodies, pieces, count, a, b)
-
-    return Kernels(True, start, go, finish, boxes, order, pairs)
+                pointers.let_kernels_call(function)
+    return Kernels(True, pointers.binder(digest.hexdigest()))

@@ -7,25 +7,32 @@ checked or wrapped around, and a call from Python hands over a single number.
 """
 
 import operator
-from functools import cache
+from collections.abc import Callable
+from functools import cache, partial
 from typing import Any, get_type_hints
 
 import numpy as np
 from llvmlite import ir
-from numba import types
-from numba.core.typing.templates import AbstractTemplate, AttributeTemplate, signature
+from numba import njit, types
+from numba.core.typing.templates import (
+    AbstractTemplate,
+    AttributeTemplate,
+    infer_global,
+    signature,
+)
 from numba.extending import (
     infer_getattr,
     intrinsic,
     lower_builtin,
     lower_getattr_generic,
     models,
+    register_jitable,
     register_model,
 )
-from numba.core.typing.templates import infer_global
 
+from engine import tick
 from engine.settings import Laws
-from engine.tables import Floats, Ints, Tables
+from engine.tables import Floats, Ints, Tables, clear_row, copy_row
 
 WORD = ir.IntType(64)
 SCALARS = {float: types.float64, int: types.int64}
@@ -33,7 +40,7 @@ COLUMNS = {Floats: types.float64, Ints: types.int64}
 MACHINE = {types.float64: ir.DoubleType(), types.int64: WORD}
 
 
-class Column(types.Type):  # type: ignore[misc]
+class Column(types.Type):
     """A pointer to the first of contiguous float64 or int64."""
 
     def __init__(self, name: str, kind: Any) -> None:
@@ -42,7 +49,7 @@ class Column(types.Type):  # type: ignore[misc]
         self.kind = kind
 
 
-class Handle(types.Type):  # type: ignore[misc]
+class Handle(types.Type):
     """A pointer to the directory, and which part of it is meant."""
 
     def __init__(self, part: Any, first: int) -> None:
@@ -75,7 +82,7 @@ def words(kind: Any) -> int:
 
 
 @register_model(Column)
-class ColumnModel(models.PrimitiveModel):  # type: ignore[misc]
+class ColumnModel(models.PrimitiveModel):
     """One machine word."""
 
     def __init__(self, dmm: Any, fe_type: Column) -> None:
@@ -83,7 +90,7 @@ class ColumnModel(models.PrimitiveModel):  # type: ignore[misc]
 
 
 @register_model(Handle)
-class HandleModel(models.PrimitiveModel):  # type: ignore[misc]
+class HandleModel(models.PrimitiveModel):
     """One machine word."""
 
     def __init__(self, dmm: Any, fe_type: Handle) -> None:
@@ -91,7 +98,7 @@ class HandleModel(models.PrimitiveModel):  # type: ignore[misc]
 
 
 @infer_getattr
-class Members(AttributeTemplate):  # type: ignore[misc]
+class Members(AttributeTemplate):
     """The type of `table.column`."""
 
     key = Handle
@@ -114,7 +121,7 @@ def load_member(context: Any, builder: Any, handle: Handle, value: Any, name: st
 
 
 @infer_global(operator.getitem)
-class Reads(AbstractTemplate):  # type: ignore[misc]
+class Reads(AbstractTemplate):
     """The type of `column[row]`."""
 
     def generic(self, args: Any, kws: Any) -> Any:
@@ -124,7 +131,7 @@ class Reads(AbstractTemplate):  # type: ignore[misc]
 
 
 @infer_global(operator.setitem)
-class Writes(AbstractTemplate):  # type: ignore[misc]
+class Writes(AbstractTemplate):
     """The type of `column[row] = value`."""
 
     def generic(self, args: Any, kws: Any) -> Any:
@@ -162,7 +169,7 @@ def write(context: Any, builder: Any, sig: Any, args: Any) -> Any:
 def at_address(part: Any, first: int) -> Any:
     """Make the function that turns the address of a directory into a handle of a part of it."""
 
-    @intrinsic  # type: ignore[untyped-decorator]
+    @intrinsic
     def handle(typing: Any, address: Any) -> Any:
         def lower(context: Any, builder: Any, sig: Any, args: Any) -> Any:
             return builder.inttoptr(args[0], WORD.as_pointer())
@@ -178,8 +185,94 @@ laws_at = at_address(Laws, words(Tables))
 
 def directory(tables: Tables, laws: Laws) -> Any:
     """The array of addresses of all columns, then the laws, for `tables_at` and `laws_at`."""
-    addresses = [np.asarray(column).ctypes.data for table in tables for column in table]
+    addresses = [address_of(column) for table in tables for column in table]
     scalars = np.zeros(len(laws), np.int64)
     for i, (value, kind) in enumerate(zip(laws, get_type_hints(Laws).values(), strict=True)):
         scalars.view(np.float64 if kind is float else np.int64)[i] = value
     return np.concatenate((np.array(addresses, np.int64), scalars))
+
+
+def address_of(column: Any) -> int:
+    """Where the numbers of a column begin."""
+    return int(np.frombuffer(column, np.uint8).ctypes.data) if len(column) else 0
+
+
+@infer_global(copy_row)
+class CopiesRow(AbstractTemplate):
+    """The type of `copy_row(table, source, target)`."""
+
+    def generic(self, args: Any, kws: Any) -> Any:
+        return signature(types.none, args[0], types.intp, types.intp)
+
+
+@lower_builtin(copy_row, Handle, types.intp, types.intp)
+def copy(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+    """Copy a row, column by column."""
+    for name, (column, _) in members(sig.args[0].part, sig.args[0].first).items():
+        start = load_member(context, builder, sig.args[0], args[0], name)
+        source = builder.gep(start, [args[1]], inbounds=True)
+        target = builder.gep(start, [args[2]], inbounds=True)
+        value = own_memory(builder, builder.load(source), column)
+        own_memory(builder, builder.store(value, target), column)
+    return context.get_dummy_value()
+
+
+@infer_global(clear_row)
+class ClearsRow(AbstractTemplate):
+    """The type of `clear_row(table, row)`."""
+
+    def generic(self, args: Any, kws: Any) -> Any:
+        return signature(types.none, args[0], types.intp)
+
+
+@lower_builtin(clear_row, Handle, types.intp)
+def clear(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+    """Clear a row, column by column."""
+    for name, (column, _) in members(sig.args[0].part, sig.args[0].first).items():
+        start = load_member(context, builder, sig.args[0], args[0], name)
+        place = builder.gep(start, [args[1]], inbounds=True)
+        zero = ir.Constant(MACHINE[column.kind], 0)
+        own_memory(builder, builder.store(zero, place), column)
+    return context.get_dummy_value()
+
+
+PLAIN = {"error_model": "numpy", "_nrt": False}
+"""Options of all compiled functions: nothing raises, nothing is counted."""
+
+
+def let_kernels_call(function: Any) -> None:
+    """Let compiled functions call a kernel."""
+    register_jitable(no_cpython_wrapper=True, no_cfunc_wrapper=True, **PLAIN)(function)
+
+
+def binder(sources: str) -> Callable[[Tables, Laws], Callable[[float, int], int]]:
+    """Compile the kernels, or load them from numba's cache; `sources` is part of its key.
+
+    Where no folder can be written they are compiled for this process alone.
+    """
+    try:
+        run = njit(SIGNATURE, cache=True, nogil=True, **PLAIN)(entry(sources))
+    except RuntimeError:  # numba found no folder for its cache
+        run = njit(SIGNATURE, nogil=True, **PLAIN)(entry(sources))
+
+    def bind(tables: Tables, laws: Laws) -> Callable[[float, int], int]:
+        held = directory(tables, laws)
+        bound: Any = partial(run, int(held.ctypes.data))
+        bound.keeps_alive = held, tables
+        return bound  # type: ignore[no-any-return]
+
+    return bind
+
+
+SIGNATURE = "int64(int64, float64, int64)"
+
+
+def entry(sources: str) -> Callable[[int, float, int], int]:
+    """Make the outermost function, which finds the tables at an address."""
+    version = sources
+
+    def run(address: int, dt: float, ticks: int) -> int:
+        _ = version
+        return tick.run(tables_at(address), laws_at(address), dt, ticks)
+
+    return run

@@ -43,7 +43,6 @@ ROWS_OF = {
     "pieces.first": "corners",
     "pieces.before": "pieces",
     "pieces.after": "pieces",
-    "pieces.order": "pieces",
     "pairs.a": "bodies",
     "pairs.b": "bodies",
     "pairs.piece_a": "pieces",

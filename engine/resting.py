@@ -10,7 +10,7 @@ from engine.following import DRIFT, find_points, follow
 from engine.impacts import acceleration, stays, strike
 from engine.meeting import STILL, approach_at, notice_passing, wall_of
 from engine.spring import frequency, softness, softness_left
-from engine.tables import FREE, RESTING, Tables
+from engine.tables import FREE, IMPACTS_AT_ONCE, RESTING, Tables
 
 TOUCHING = 1e-5
 """Gap at which a still pair comes to rest, as a share of the smaller body's reach."""
@@ -132,7 +132,7 @@ def hold(t: Tables, count: int, resting: int, now: float, part: float, substep: 
                 t.pairs.state[pair] = FREE
                 t.pairs.apart[pair] = 0.0
                 continue
-            if does == SLAPS and not again and t.impacts.written[0] < len(t.impacts.a):
+            if does == SLAPS and not again and t.impacts.written[0] < IMPACTS_AT_ONCE:
                 strike(t, pair, now, 0.0, substep, part, False)
                 hit = True
             t.pairs.resting[kept] = pair

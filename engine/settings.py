@@ -1,5 +1,6 @@
 """The laws that hold in a world, as people give them and as kernels read them."""
 
+import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
@@ -62,4 +63,4 @@ def larger(a: float, b: float) -> float:
 
 def geometric_mean(a: float, b: float) -> float:
     """Geometric mean of two coefficients of friction: one slippery body makes a slippery pair."""
-    return float((a * b) ** 0.5)
+    return math.sqrt(a * b)

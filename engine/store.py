@@ -10,10 +10,21 @@ from engine.collision import Removed
 from engine.enrol import corners_of, write_body
 from engine.filters import ignored_columns, ignored_keys, pair_keys
 from engine.force_laws import ActingLaw, field_columns, field_table
-from engine.pairing import forget, link, resting_columns
+from engine.pair_rows import forget, resting_columns
+from engine.pairing import link
 from engine.shapes import Shape
 from engine.snapshot import Snapshot
-from engine.tables import Counts, Tables, arrays, grow, new_tables, remove_rows, views
+from engine.tables import (
+    ROWS,
+    Counts,
+    Tables,
+    arrays,
+    grow,
+    new_tables,
+    remove_rows,
+    sort_rows,
+    views,
+)
 
 
 class Store:
@@ -28,6 +39,7 @@ class Store:
     def __init__(self) -> None:
         """Make an empty one."""
         self.tables: Tables = new_tables()
+        self.tables.progress.room[0] = ROWS["pairs"]
         self.handles: list[Body] = []
         """The bodies in order of their rows, which is that of their ids."""
         self.rows: dict[int, int] = {}
@@ -97,6 +109,7 @@ class Store:
         for name, rows in zip(("bodies", "pieces", "corners"), ends, strict=True):
             self.make_room(name, rows)
             getattr(self.tables.counts, name)[0] = rows
+        self.make_room("grid", 2 * ends[1])
         write_body(self.tables, shape, body.id, row, piece, corner, values)
         self.handles.append(body)
         self.rows[body.id] = row
@@ -112,7 +125,8 @@ class Store:
         for i in reversed(range(self.count("ignored"))):
             if body.id in (self.tables.ignored.a[i], self.tables.ignored.b[i]):
                 self.drop("ignored", i)
-        self._count_pairs(forget(self.tables, self.count("pairs"), row))
+        pairs = forget(self.tables, self.count("pairs"), row)
+        self.tables.counts.pairs[0], self.tables.counts.contacts[0] = pairs, 2 * pairs
         bodies, pieces = self.tables.bodies, self.tables.pieces
         first, corners = bodies.first[row], bodies.corners[row]
         first_piece, number = bodies.first_piece[row], bodies.pieces[row]
@@ -123,27 +137,25 @@ class Store:
         close_gap(bodies.first_piece, self.count("bodies"), first_piece, number)
         close_gap(pieces.first, self.count("pieces"), first, corners)
         close_gap(pieces.body, self.count("pieces"), row, 1)
-        np.asarray(pieces.order)[: self.count("pieces")] = np.arange(self.count("pieces"))
         del self.handles[row]
         self.rows = {handle.id: i for i, handle in enumerate(self.handles)}
         self.list_fields()
 
-    def use_pairs(self, tables: Tables, pairs: int) -> None:
-        """Take over a new list of pairs."""
-        self.tables = tables
-        self._count_pairs(pairs)
-        self.tables.state.stale[0] = 0
-
-    def _count_pairs(self, pairs: int) -> None:
-        self.tables.counts.pairs[0] = pairs
-        self.tables.counts.contacts[0] = 2 * pairs
+    def make_room_for_pairs(self, pairs: int) -> None:
+        """Let all tables have room for so many pairs at least."""
+        progress = self.tables.progress
+        if pairs > progress.room[0]:
+            progress.room[0] = pairs + pairs // 2
+            for name, rows in (("pairs", 1), ("contacts", 2), ("links", 2), ("found", 1)):
+                self.make_room(name, rows * progress.room[0])
 
     # Pairs that pass through each other.
 
     def ignore(self, a: Body, b: Body, joint: int = 0) -> None:
         """Let two bodies pass through each other, by hand or on behalf of a joint."""
         if self._row_of_ignored(a, b, joint) is None:
-            self.append("ignored", (a.id, b.id, joint))
+            self.append("ignored", (min(a.id, b.id), max(a.id, b.id), joint))
+            sort_rows(self.tables.ignored, self.count("ignored"))
 
     def heed(self, a: Body, b: Body, joint: int = 0) -> None:
         """Take that back."""
@@ -199,12 +211,14 @@ class Store:
 
     def restore(self, snapshot: Snapshot) -> None:
         """Go back to what a snapshot holds."""
+        self.make_room("grid", 2 * len(snapshot.tables["pieces"][0]))
+        self.make_room_for_pairs(len(snapshot.tables["pairs"][0]))
         for name, saved in snapshot.tables.items():
             rows = len(saved[0])
             self.make_room(name, rows)
             for column, values in zip(arrays(getattr(self.tables, name)), saved, strict=True):
                 column[:rows] = values
-        self.tables = link(self.tables, self.count("bodies"), self.count("pairs"))
+        link(self.tables, self.count("bodies"), self.count("pairs"))
         self.handles = list(snapshot.handles)
         self.rows = {handle.id: i for i, handle in enumerate(self.handles)}
         self.acting = {law.id: law for law in snapshot.force_laws}
@@ -233,14 +247,6 @@ class Store:
         """Since the world began (s)."""
         state = self.tables.state
         return state.base[0] + state.ticks[0] * state.dt[0]
-
-    def tell_time(self, dt: float) -> None:
-        """Let the clock tick (s)."""
-        state = self.tables.state
-        if dt != state.dt[0]:
-            state.base[0], state.ticks[0], state.dt[0] = self.time, 0, dt
-        state.tick[0] += 1
-        state.ticks[0] += 1
 
 
 def close_gap(column: Any, rows: int, start: int, length: int) -> None:

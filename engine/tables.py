@@ -174,8 +174,6 @@ class Pieces(NamedTuple):
     low_y: Floats
     high_x: Floats
     high_y: Floats
-    order: Ints
-    """Rows sorted by `low_x`."""
 
 
 class Corners(NamedTuple):
@@ -317,7 +315,7 @@ class Impacts(NamedTuple):
     speed: Floats
     restitution: Floats
     time: Floats
-    """Since the tick began (s)."""
+    """Since the tick began (s); once it is over, since the world began."""
     written: Ints
     """First row: how many impacts stand here; second row: how many this tick has had."""
 
@@ -392,13 +390,79 @@ class Fields(NamedTuple):
 
 
 class Ignored(NamedTuple):
-    """One row two bodies that pass through each other, and why."""
+    """One row two bodies that pass through each other, and why; sorted."""
 
     a: Ints
-    """Ids of bodies."""
+    """Ids of bodies, a < b."""
     b: Ints
     joint: Ints
     """Id of the joint that wants it so; 0: they were told to by hand."""
+
+
+class Found(NamedTuple):
+    """Pairs of pieces whose boxes overlap, as they are found; as many rows as `Pairs` has."""
+
+    a: Ints
+    """Rows of `Pieces`, a < b."""
+    b: Ints
+    before_a: Ints
+    """The same, half sorted."""
+    before_b: Ints
+    known: Ints
+    """Which row of `Pairs` this pair had before, or -1."""
+
+
+class Grid(NamedTuple):
+    """Squares over the world in which the broad phase looks for neighbours; see `neighbours`."""
+
+    head: Ints
+    """Last piece found in a square, by the square's hash; -1: none."""
+    following: Ints
+    """By pieces: the one that was found before in a square of the same hash; -1: none."""
+    column: Ints
+    """By pieces: the square in which its box has its centre."""
+    row: Ints
+    large: Ints
+    """Pieces that are larger than a square (a list of its own, not by row)."""
+
+
+class Progress(NamedTuple):
+    """One row: how far the kernels are within a tick, and why they paused."""
+
+    phase: Ints
+    """`tick.WAITING` between two ticks, `tick.PAIRING` or `tick.MOVING`."""
+    begun: Ints
+    """1 once bodies have begun to move in this tick."""
+    now: Floats
+    """Since the tick began (s)."""
+    told: Ints
+    """Rows of `Impacts` whose time is that of the world."""
+    lost: Ints
+    """Row of the body that left the range of numbers."""
+    room: Ints
+    """Number of pairs for which all tables have room."""
+    wanted: Ints
+    """Number of pairs for which they should."""
+    own_rules: Ints
+    """1 if coefficients of pairs are made by Python."""
+    recording: Ints
+    """Which columns of `Tracks` to write, one bit each; 0: none."""
+    moment: Ints
+    """Number of ticks that stand in `Tracks`."""
+
+
+class Tracks(NamedTuple):
+    """One row a body and tick: what `run` recorded, tick after tick; see `Bodies`."""
+
+    x: Floats
+    y: Floats
+    angle: Floats
+    vx: Floats
+    vy: Floats
+    spin: Floats
+    force_x: Floats
+    force_y: Floats
+    torque: Floats
 
 
 class Tables(NamedTuple):
@@ -417,6 +481,10 @@ class Tables(NamedTuple):
     state: State
     fields: Fields
     ignored: Ignored
+    found: Found
+    grid: Grid
+    progress: Progress
+    tracks: Tracks
 
 
 FREE, RESTING, PASSING = 0, 1, 2
@@ -436,6 +504,9 @@ ROWS = {
     "pushes": 8,
     "pairs": 64,
     "contacts": 128,
+    "links": 128,
+    "found": 64,
+    "grid": 64,
     "touch": 2,
     "impacts": IMPACTS_AT_ONCE,
 }
@@ -487,3 +558,23 @@ def remove_rows(table: Any, row: int, number: int, rows: int) -> None:
         return
     for column in arrays(table):
         column[row : rows - number] = column[after:rows]
+
+
+def sort_rows(table: Any, rows: int) -> None:
+    """Sort the first `rows` by the first column, then the second and so on."""
+    columns = [column[:rows] for column in arrays(table)]
+    order = np.lexsort(columns[::-1])
+    for column in columns:
+        column[:] = column[order]
+
+
+def copy_row(table: Any, source: int, target: int) -> None:
+    """Write to row `target` what stands in row `source`. Kernels may call it."""
+    for column in table:
+        column[target] = column[source]
+
+
+def clear_row(table: Any, row: int) -> None:
+    """Write zeros to a row. Kernels may call it."""
+    for column in table:
+        column[row] = 0

@@ -1,41 +1,152 @@
-"""The three kernels of a step, as the world calls them: interpreted or compiled."""
+"""Whole ticks: the kernel that the world calls, interpreted or compiled.
+
+It returns when the ticks are over, or before when only Python can go on: to make room in tables,
+to read a full table of impacts, to ask rules that people wrote. Called again it goes on from there.
+"""
 
 from engine.accelerate import accelerate
 from engine.broadphase import holds
+from engine.pairing import find_pairs
 from engine.settings import Laws
-from engine.tables import Pushes, Tables
-from engine.travel import begin, end, runaway, travel
+from engine.tables import Tables, copy_row
+from engine.travel import CROWDED, DONE, ESCAPED, begin, end, runaway, travel
+
+WAITING, PAIRING, MOVING = 0, 1, 2
+"""Phases: between two ticks; pairs are to be found; bodies move."""
+
+FULL, UNMIXED, LOST = 10, 11, 12
+"""Why `run` returns, besides `DONE` and `CROWDED`: there are more pairs than room; coefficients of
+pairs are asked for; a body left the range of numbers."""
 
 SOUND = -1
 """No body has run away."""
 
 
-def start(
-    t: Tables, count: int, pushes: Pushes, pushing: int, laws: Laws, dt: float
-) -> tuple[int, bool]:
-    """Let forces accelerate the bodies for a tick of `dt` seconds.
-
-    Returns the row of a body that leaves the range of numbers, or `SOUND`, and whether the list of
-    pairs holds for this tick.
-    """
-    accelerate(t.bodies, count, pushes, pushing, t.fields, laws, dt)
-    lost = runaway(t.bodies, count, dt)
-    if lost != SOUND:
-        return lost, False
-    return SOUND, holds(t, count, dt)
+def run(t: Tables, laws: Laws, dt: float, ticks: int) -> int:
+    """Take so many ticks of `dt` seconds, or finish the present one and take the others."""
+    for _ in range(ticks):
+        status = step(t, laws, dt)
+        if status != DONE:
+            return status
+        if t.progress.recording[0] > 0:
+            record(t)
+    return DONE
 
 
-def go(
-    t: Tables, count: int, pair_count: int, now: float, dt: float, substep: float, limit: int
-) -> tuple[int, float]:
-    """Move the bodies from `now` on (s, since the tick began); see `travel` for what it returns."""
-    if now == 0.0 and t.impacts.written[1] < 0:
+def step(t: Tables, laws: Laws, dt: float) -> int:
+    """Take one tick, or what is left of it; return `DONE` or what only Python can do."""
+    progress = t.progress
+    if progress.phase[0] == WAITING:
+        act(t, laws, dt)
+        progress.now[0] = 0.0
+        progress.begun[0] = 0
+        if has_run_away(t, dt):
+            return LOST
+        pairs_hold = t.state.stale[0] == 0 and holds(t, t.counts.bodies[0], dt)
+        progress.phase[0] = MOVING if pairs_hold else PAIRING
+    while progress.phase[0] != WAITING:
+        if progress.phase[0] == PAIRING:
+            if not find_pairs(t, dt):
+                return FULL
+            progress.phase[0] = MOVING
+            if progress.own_rules[0] == 1:
+                return UNMIXED
+        status = move(t, laws, dt)
+        tell_time_of_impacts(t)
+        if status == ESCAPED:
+            progress.phase[0] = PAIRING
+        elif status == CROWDED:
+            return CROWDED
+        else:
+            progress.phase[0] = WAITING
+    end(t, t.counts.bodies[0], t.counts.pairs[0], laws.integrator, dt)
+    if has_run_away(t, dt):
+        return LOST
+    end_pushes(t)
+    tell_time(t, dt)
+    return DONE
+
+
+def act(t: Tables, laws: Laws, dt: float) -> None:
+    """Let forces accelerate the bodies for a tick of `dt` seconds."""
+    accelerate(t.bodies, t.counts.bodies[0], t.pushes, t.counts.pushes[0], t.fields, laws, dt)
+
+
+def has_run_away(t: Tables, dt: float) -> bool:
+    """Whether a body left the range of numbers; note which."""
+    t.progress.lost[0] = runaway(t.bodies, t.counts.bodies[0], dt)
+    return t.progress.lost[0] != SOUND
+
+
+def move(t: Tables, laws: Laws, dt: float) -> int:
+    """Move the bodies on, along their paths and from impact to impact; see `travel`."""
+    count = t.counts.bodies[0]
+    pairs = t.counts.pairs[0]
+    substep = dt / laws.substeps
+    if t.progress.begun[0] == 0:
+        t.progress.begun[0] = 1
         t.impacts.written[1] = 0
-        begin(t, count, pair_count, substep)
-    return travel(t, count, pair_count, now, dt, substep, limit)
+        begin(t, count, pairs, substep)
+    status, now = travel(t, count, pairs, t.progress.now[0], dt, substep, 1000 + 50 * count)
+    t.progress.now[0] = now
+    return status if now < dt else DONE
 
 
-def finish(t: Tables, count: int, pair_count: int, laws: Laws, dt: float) -> int:
-    """End the tick; return the row of a body that left the range of numbers, or `SOUND`."""
-    end(t, count, pair_count, laws.integrator, dt)
-    return runaway(t.bodies, count, dt)
+def tell_time_of_impacts(t: Tables) -> None:
+    """Turn the times of new impacts (s, since the tick began) into times of the world."""
+    began = t.state.base[0] + t.state.ticks[0] * t.state.dt[0]
+    for i in range(t.progress.told[0], t.impacts.written[0]):
+        t.impacts.time[i] = began + t.impacts.time[i]
+    t.progress.told[0] = t.impacts.written[0]
+
+
+def end_pushes(t: Tables) -> None:
+    """Drop the pushes whose time is over."""
+    kept = 0
+    for i in range(t.counts.pushes[0]):
+        if t.pushes.left[i] > 0.0:
+            if kept < i:
+                copy_row(t.pushes, i, kept)
+            kept += 1
+    t.counts.pushes[0] = kept
+
+
+def tell_time(t: Tables, dt: float) -> None:
+    """Let the clock tick (s)."""
+    state = t.state
+    if dt != state.dt[0]:
+        state.base[0] = state.base[0] + state.ticks[0] * state.dt[0]
+        state.ticks[0] = 0
+        state.dt[0] = dt
+    state.tick[0] += 1
+    state.ticks[0] += 1
+
+
+def record(t: Tables) -> None:
+    """Append what is recorded of all bodies to `Tracks`."""
+    bodies = t.bodies
+    tracks = t.tracks
+    count = t.counts.bodies[0]
+    columns = t.progress.recording[0]
+    at = t.progress.moment[0] * count
+    for row in range(count):
+        if columns & 1:
+            tracks.x[at] = bodies.x[row]
+        if columns & 2:
+            tracks.y[at] = bodies.y[row]
+        if columns & 4:
+            tracks.angle[at] = bodies.angle[row]
+        if columns & 8:
+            tracks.vx[at] = bodies.vx[row]
+        if columns & 16:
+            tracks.vy[at] = bodies.vy[row]
+        if columns & 32:
+            tracks.spin[at] = bodies.spin[row]
+        if columns & 64:
+            tracks.force_x[at] = bodies.force_x[row]
+        if columns & 128:
+            tracks.force_y[at] = bodies.force_y[row]
+        if columns & 256:
+            tracks.torque[at] = bodies.torque[row]
+        at += 1
+    t.progress.moment[0] += 1

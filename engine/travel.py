@@ -18,7 +18,7 @@ from engine.resting import (
     settle,
 )
 from engine.settings import EXPLICIT_EULER, SEMI_IMPLICIT_EULER
-from engine.tables import FREE, NEVER, RESTING, Bodies, Tables
+from engine.tables import FREE, IMPACTS_AT_ONCE, NEVER, RESTING, Bodies, Tables
 
 DONE, CROWDED, ESCAPED = 0, 1, 2
 """Why `travel` returns: the tick is over; the table of impacts is full; a body left its box."""
@@ -153,7 +153,7 @@ def meet_in_order(
         if cut and time > reached + TOGETHER:
             return ending, reached, queued
         reached = time
-        if written[0] >= len(t.impacts.a):
+        if written[0] >= IMPACTS_AT_ONCE:
             return CROWDED, time, queued
         queued -= 1
         pairs.queue[at] = pairs.queue[queued]

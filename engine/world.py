@@ -4,18 +4,17 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from engine import bulk, callbacks, collision, portable, queries, validate
+from engine import bulk, callbacks, portable, queries, validate
 from engine.asking import ask
 from engine.body import Body, OnCollision, OnMove
 from engine.bulk import Tracks
-from engine.collision import Collision, Diverged, Removed
+from engine.clockwork import Clockwork
+from engine.collision import Collision, Removed
 from engine.enrol import initial_values
 from engine.filters import ALL
 from engine.force_laws import ActingLaw, Law, checked_bodies, checked_law, energy_in_fields
 from engine.forces import Drag, Push
 from engine.inputs import noted
-from engine.jit import choose
-from engine.pairing import as_arrays, pair_up
 from engine.plain import Functions
 from engine.queries import Choice, Hit, Nearest
 from engine.recording import Recording
@@ -24,8 +23,6 @@ from engine.shapes import Shape
 from engine.snapshot import Snapshot
 from engine.store import Store
 from engine.tables import Bodies, Tables
-from engine.tick import SOUND
-from engine.travel import ESCAPED
 from engine.vector import Vector
 
 
@@ -61,8 +58,7 @@ class World:
         """All that varies."""
         self.recorder: Recording | None = None
         """Who takes note of inputs; see `record`."""
-        self._kernels = choose(kernels)
-        self._arrays_of = self._arrays = self.store.tables
+        self._clockwork = Clockwork(self.store, kernels)
 
     def step(self, dt: float = TICK) -> list[Collision]:
         """Advance by `dt` seconds; return the collisions that happened, in order of time.
@@ -74,12 +70,8 @@ class World:
         """
         dt = validate.positive(dt, "dt")
         poses = callbacks.poses(self.store.handles)
-        pairs_hold = self._accelerate(dt)
-        if not pairs_hold:
-            self._find_pairs(dt)
-        collisions = self._move(dt)
-        self._end_pushes()
-        self.store.tell_time(dt)
+        self._ask_functions(dt)
+        collisions = self._clockwork.advance(self.laws, self._rules, dt)
         self._note(dt)
         callbacks.call(poses, collisions, self.store)
         return collisions
@@ -442,63 +434,15 @@ class World:
 
     # The parts of a step.
 
-    def _accelerate(self, dt: float) -> bool:
-        """Let forces act for a tick; return whether the list of pairs holds."""
+    @property
+    def _rules(self) -> tuple[Rule, Rule]:
+        return self.restitution_rule, self.friction_rule
+
+    def _ask_functions(self, dt: float) -> None:
+        """Let Python functions that are laws of force say what they give in this tick."""
         if any(law.is_python for law in self.store.acting.values()):
-            ask(self.store, self.laws.integrator, dt, self._let_forces_act)
-        return self._let_forces_act(dt)
-
-    def _let_forces_act(self, dt: float) -> bool:
-        t, pushing = self._seen(), self.store.count("pushes")
-        lost, pairs_hold = self._kernels.start(
-            t, len(self.store.handles), t.pushes, pushing, self.laws, dt
-        )
-        self._refuse_divergence(lost)
-        return pairs_hold and not self.tables.state.stale[0]
-
-    def _find_pairs(self, dt: float) -> None:
-        """List the pairs that may touch in this tick."""
-        rules = (self.restitution_rule, self.friction_rule)
-        self.store.use_pairs(*pair_up(self.tables, dt, rules, self._kernels))
-
-    def _move(self, dt: float) -> list[Collision]:
-        """Move all bodies through the tick, along their paths and from impact to impact."""
-        collisions: list[Collision] = []
-        count = len(self.store.handles)
-        substep, limit = dt / self.laws.substeps, 1000 + 50 * count
-        self.tables.impacts.written[1] = -1
-        now = 0.0
-        while now < dt:
-            status, now = self._kernels.go(
-                self._seen(), count, self.store.count("pairs"), now, dt, substep, limit
-            )
-            collisions += collision.read(self.tables.impacts, self.store.handles, self.time)
-            if status == ESCAPED:
-                self._find_pairs(dt)
-        self._refuse_divergence(
-            self._kernels.finish(self._seen(), count, self.store.count("pairs"), self.laws, dt)
-        )
-        return collisions
-
-    def _seen(self) -> Tables:
-        """The tables as the kernels take them: memoryviews, or arrays if they are compiled."""
-        if not self._kernels.compiled:
-            return self.tables
-        if self._arrays_of is not self.tables:
-            self._arrays_of, self._arrays = self.tables, as_arrays(self.tables)
-        return self._arrays
+            ask(self.store, self.laws, dt)
 
     def _note(self, dt: float) -> None:
         if self.recorder is not None:
             self.recorder.end_tick(self, dt)
-
-    def _end_pushes(self) -> None:
-        left = self.tables.pushes.left
-        for i in reversed(range(self.store.count("pushes"))):
-            if left[i] <= 0.0:
-                self.store.drop("pushes", i)
-
-    def _refuse_divergence(self, row: int) -> None:
-        if row != SOUND:
-            body = self.store.handles[row]
-            raise Diverged(f"{body.name} left the range of numbers in tick {self.tick}")

@@ -1,0 +1,53 @@
+"""The table of pairs between two ticks: cut when a body leaves, hashed, mixed by Python rules."""
+
+from typing import Any
+
+import numpy as np
+
+from engine.settings import Rule
+from engine.tables import RESTING, Tables, arrays
+
+RESTING_STATE = ("piece_a", "piece_b", "points", "carried", "part", "drift", "seen_x", "seen_y")
+"""Columns of `Pairs` that tell two worlds apart where pairs rest."""
+
+
+def mix_by_rules(t: Tables, restitution: Rule, friction: Rule) -> None:
+    """Give each pair its coefficients by the rules of the world."""
+    bodies, pairs = t.bodies, t.pairs
+    for pair in range(t.counts.pairs[0]):
+        a, b = pairs.a[pair], pairs.b[pair]
+        pairs.restitution[pair] = restitution(bodies.restitution[a], bodies.restitution[b])
+        pairs.friction[pair] = friction(bodies.friction[a], bodies.friction[b])
+
+
+def forget(t: Tables, pair_count: int, row: int) -> int:
+    """Drop the pairs of a body that leaves; return how many are left.
+
+    Its row, and the rows of its pieces, still stand.
+    """
+    last, pieces = t.bodies.first_piece[row] + t.bodies.pieces[row], t.bodies.pieces[row]
+    a, b = np.asarray(t.pairs.a)[:pair_count], np.asarray(t.pairs.b)[:pair_count]
+    kept = np.flatnonzero((a != row) & (b != row))
+    for column in arrays(t.pairs):
+        column[: len(kept)] = column[kept]
+    for column in arrays(t.contacts):
+        column[: 2 * len(kept)] = np.stack((column[2 * kept], column[2 * kept + 1]), 1).ravel()
+    for rows in (a[: len(kept)], b[: len(kept)]):
+        rows[rows > row] -= 1
+    for column in (t.pairs.piece_a, t.pairs.piece_b):
+        rows = np.asarray(column)[: len(kept)]
+        rows[rows >= last] -= pieces
+    return len(kept)
+
+
+def resting_columns(t: Tables, pair_count: int) -> list[Any]:
+    """Copies of what the resting pairs remember, for the digest of a world."""
+    state = np.asarray(t.pairs.state)[:pair_count]
+    at = np.flatnonzero(state == RESTING)
+    columns = [np.asarray(getattr(t.pairs, name))[at] for name in RESTING_STATE]
+    for name in ("normal_impulse", "tangent_impulse", "gap"):
+        column = np.asarray(getattr(t.contacts, name))
+        for point in (0, 1):
+            used = np.asarray(t.pairs.points)[at] > point
+            columns.append(np.where(used, column[2 * at + point], 0.0))
+    return columns
