@@ -15,7 +15,7 @@ from screens.kit.geometry import Point, Rect, Size
 from screens.kit.picture import Picture
 from screens.kit.raster import FILLED, ArrowShape, Bar, Box, Disc, Hull, Look, Shape, Slab, Stroke
 from screens.kit.scale import scale_of
-from screens.kit.text import ASCENT, CAP_HEIGHT, DESCENT, FINE, Type
+from screens.kit.text import ASCENT, CAP_HEIGHT, DESCENT, FINE, LONGEST, Type, printable
 from screens.kit.theme import Color, Style
 
 Place = tuple[float, float]
@@ -55,8 +55,6 @@ class Surface:
         """(dp)"""
         self.type: Type = _like.type if _like else Type(self.scale)
         self._lines: Cache[list[tuple[str, float]]] = _like._lines if _like else Cache(1 << 20)
-        self._letters: Cache[tuple[float, int]] = _like._letters if _like else Cache(1 << 20)
-        self._rises: dict[Style, int] = _like._rises if _like else {}
         self._layers: Cache[Surface] = Cache(LAYERS)
 
     def pixels(self) -> NDArray[np.uint32]:
@@ -215,7 +213,7 @@ class Surface:
         """
         scale = self.scale
         broken = self._break(words, style, width, lines)
-        em = self.type.pixels(style)
+        em = self.type.face(style).pixels
         leading = style.line_height * scale
         above = (leading - (ASCENT + DESCENT) * em) / 2 + ASCENT * em
         baseline = at[1] * scale
@@ -238,16 +236,16 @@ class Surface:
         x, y = center[0] * self.scale, center[1] * self.scale
         if not (words and alpha > 0 and abs(x) < FAR and abs(y) < FAR):
             return
-        wide, rise = self._letter(words, style)
-        em = self.type.pixels(style)
-        left, baseline = x - wide / 2, y + CAP_HEIGHT * em / 2
+        face = self.type.face(style, FINE)
+        words = printable(words)[:LONGEST]
+        left, baseline = x - face.width(words) / 2, y + CAP_HEIGHT * face.pixels / 2
         column, row = math.floor(left), math.floor(baseline)
         right, down = int((left - column) * FINE), int((baseline - row) * FINE)
-        key, place = ("letter", words, style.weight, em, right, down), (column, row - rise)
+        key, place = (face, words, right, down), (column, row - face.rise)
         if not self._picture.restamp(key, color, alpha, *place):
             mask = self._picture.mask(key)
             if mask is None:
-                mask = self.type.floating(words, style, right, down)
+                mask = face.mask(words, right, down)
             self._picture.stamp(key, mask, color, alpha, *place)
 
     # -- the whole ----------------------------------------------------------------------------
@@ -298,33 +296,17 @@ class Surface:
             self._lines.keep(key, broken, 200 + 100 * len(broken) + 2 * len(words))
         return broken
 
-    def _letter(self, words: str, style: Style) -> tuple[float, int]:
-        """Width of a letter and the rows above its baseline (px)."""
-        found = self._letters.find((words, style))
-        if found is None:
-            found = self.type.fine_width(words, style), self.type.rise(style)
-            self._letters.keep((words, style), found, 200 + 2 * len(words))
-        return found
-
-    def _rise(self, style: Style) -> int:
-        """Rows of a line's mask above its baseline (px)."""
-        rise = self._rises.get(style)
-        if rise is None:
-            rise = self._rises[style] = self.type.line_rise(style)
-        return rise
-
     def _line(
         self, line: str, left: float, baseline: float, style: Style, color: Color, alpha: float
     ) -> None:
         if not (line and alpha > 0 and abs(left) < FAR and abs(baseline) < FAR):
             return
-        em = self.type.pixels(style)
-        top = round(baseline) - self._rise(style)
-        key, place = ("line", line, style.weight, em), (round(left), top)
+        face = self.type.face(style)
+        key, place = (face, line), (round(left), round(baseline) - face.rise)
         if not self._picture.restamp(key, color, alpha, *place):
             mask = self._picture.mask(key)
             if mask is None:
-                mask = self.type.line(line, style)
+                mask = face.line(line)
             self._picture.stamp(key, mask, color, alpha, *place)
 
     def _shape(

@@ -4,9 +4,11 @@ import tomllib
 from importlib import resources
 from pathlib import Path
 
+import numpy as np
 import pytest
 from fontTools.ttLib import TTFont
 
+from screens.kit import theme
 from screens.kit.sdl import pygame
 from screens.kit.text import CAP_HEIGHT, FILES, Type
 from screens.kit.theme import MEDIUM, REGULAR, SEMIBOLD
@@ -56,3 +58,22 @@ def test_only_the_shipped_fonts_are_opened(monkeypatch):
 
     monkeypatch.setattr(pygame.font, "SysFont", refuse)
     assert Type(1).font(REGULAR, 12).name == "Inter"
+
+
+@pytest.mark.parametrize("scale", [1.0, 2.0, 3.0, 6.0])
+@pytest.mark.parametrize(
+    "words", ["12° / −5°", "A on wall 0.52 N s", "t = 3.50\u2009s", "½ (3) 4×5"]
+)
+def test_a_line_put_together_from_parts_is_as_if_set_as_a_whole(scale, words):
+    for style in (theme.VALUE, theme.SMALL, theme.TITLE):
+        face = Type(scale).face(style)
+        line, whole = face.line(words), face.mask(words)
+        assert line.shape == whole.shape
+        assert np.abs(line.astype(int) - whole).max() <= 4
+
+
+def test_a_changed_number_is_not_set_anew(monkeypatch):
+    face = Type(2).face(theme.VALUE)
+    face.line("0.123456789 N s")
+    monkeypatch.setattr(face, "mask", lambda *_: pytest.fail("the font was asked again"))
+    assert face.line("9.876543210 N s").any()
