@@ -74,6 +74,7 @@ def test_a_line_put_together_from_parts_is_as_if_set_as_a_whole(scale, words):
 
 def test_a_changed_number_is_not_set_anew(monkeypatch):
     face = Type(2).face(theme.VALUE)
-    face.line("0.123456789 N s")
+    for i in range(0, 100, 11):
+        face.line(f"{i:02} N s")
     monkeypatch.setattr(face, "mask", lambda *_: pytest.fail("the font was asked again"))
-    assert face.line("9.876543210 N s").any()
+    assert face.line("47 N s").any()
