@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from engine import filters, validate
+from engine import filters, kinds, validate
 from engine.collision import Collision
 from engine.forces import Force, Push, Torque
 from engine.inputs import noted
@@ -42,8 +42,21 @@ class Body:
 
     @property
     def is_wall(self) -> bool:
-        """Whether it is immovable."""
+        """Whether it is a wall."""
         return isinstance(self.shape, Wall)
+
+    @property
+    def kind(self) -> str:
+        """It is "dynamic", "kinematic" or "static"; see `World.add`."""
+        row, bodies = self._row(), self._world.bodies
+        if bodies.inverse_mass[row] > 0.0:
+            return "dynamic"
+        return "kinematic" if bodies.moves[row] else "static"
+
+    @property
+    def is_dynamic(self) -> bool:
+        """Whether forces and impulses move it."""
+        return self._world.bodies.inverse_mass[self._row()] > 0.0
 
     @property
     def position(self) -> Vector:
@@ -56,8 +69,9 @@ class Body:
     @position.setter
     @noted
     def position(self, value: Any) -> None:
-        row, new = self._movable("position"), validate.vector(value, "position")
+        row, new = self._placeable("position"), validate.vector(value, "position")
         self._world.bodies.x[row], self._world.bodies.y[row] = new
+        kinds.repose(self._world.store, row)
         self._world.displaced()
 
     @property
@@ -78,8 +92,9 @@ class Body:
     @angle.setter
     @noted
     def angle(self, value: Any) -> None:
-        row = self._movable("angle")
+        row = self._placeable("angle")
         self._world.bodies.angle[row] = validate.finite(value, "angle")
+        kinds.repose(self._world.store, row)
         self._world.displaced()
 
     @property
@@ -91,8 +106,8 @@ class Body:
     @velocity.setter
     @noted
     def velocity(self, value: Any) -> None:
-        row, new = self._movable("velocity"), validate.vector(value, "velocity")
-        self._world.bodies.vx[row], self._world.bodies.vy[row] = new
+        row, new = self._moving("velocity"), validate.vector(value, "velocity")
+        kinds.set_off(self._world.store, row, new, self.spin, self._world.laws.substeps)
 
     @property
     def vx(self) -> float:
@@ -118,20 +133,20 @@ class Body:
     @spin.setter
     @noted
     def spin(self, value: Any) -> None:
-        row, new = self._movable("spin"), validate.finite(value, "spin")
+        row, new = self._moving("spin"), validate.finite(value, "spin")
         if new and isinstance(self.shape, Particle):
             raise ValueError(f"a particle never rotates, so its spin cannot be {new}")
-        self._world.bodies.spin[row] = new
+        kinds.set_off(self._world.store, row, self.velocity, new, self._world.laws.substeps)
 
     @property
     def mass(self) -> float:
-        """(kg); infinite for a wall. Setting it scales the moment of inertia alike."""
+        """(kg); infinite unless dynamic. Setting it scales the moment of inertia alike."""
         return self._world.bodies.mass[self._row()]
 
     @mass.setter
     @noted
     def mass(self, value: Any) -> None:
-        row, new = self._movable("mass"), validate.positive(value, "mass")
+        row, new = self._dynamic("mass"), validate.positive(value, "mass")
         bodies = self._world.bodies
         inertia = bodies.inertia[row] * (new / bodies.mass[row])
         bodies.mass[row], bodies.inverse_mass[row] = new, 1.0 / new
@@ -139,7 +154,9 @@ class Body:
 
     @property
     def inertia(self) -> float:
-        """Mass moment of inertia about the centre (kg m^2); infinite for walls and particles."""
+        """Mass moment of inertia about the centre (kg m^2); infinite unless dynamic, and for
+        particles.
+        """
         return self._world.bodies.inertia[self._row()]
 
     @property
@@ -172,7 +189,7 @@ class Body:
     @gravity_scale.setter
     @noted
     def gravity_scale(self, value: Any) -> None:
-        row = self._movable("gravity_scale")
+        row = self._dynamic("gravity_scale")
         self._world.bodies.gravity_scale[row] = validate.finite(value, "gravity_scale")
 
     @property
@@ -210,16 +227,16 @@ class Body:
 
     @property
     def momentum(self) -> Vector:
-        """(kg m/s); zero for a wall."""
-        if self.is_wall:
+        """(kg m/s); zero unless dynamic."""
+        if not self.is_dynamic:
             return Vector(0.0, 0.0)
         mass, velocity = self.mass, self.velocity
         return Vector(mass * velocity.x, mass * velocity.y)
 
     @property
     def angular_momentum(self) -> float:
-        """About the origin of the world (kg m^2/s); zero for a wall."""
-        if self.is_wall:
+        """About the origin of the world (kg m^2/s); zero unless dynamic."""
+        if not self.is_dynamic:
             return 0.0
         at, momentum = self.position, self.momentum
         own = 0.0 if isinstance(self.shape, Particle) else self.inertia * self.spin
@@ -227,8 +244,8 @@ class Body:
 
     @property
     def kinetic_energy(self) -> float:
-        """Of motion and rotation (J); zero for a wall."""
-        if self.is_wall:
+        """Of motion and rotation (J); zero unless dynamic."""
+        if not self.is_dynamic:
             return 0.0
         vx, vy = self.velocity
         own = 0.0 if isinstance(self.shape, Particle) else self.inertia * self.spin * self.spin
@@ -279,7 +296,7 @@ class Body:
             at: point of attack of a force (m, world); it moves and turns with the body from now
                 on. None: the centre of mass.
         """
-        self._movable("force")
+        self._dynamic("force")
         if not isinstance(effort, Force | Torque):
             raise TypeError(f"only a Force or a Torque can be exerted, not {effort!r}")
         lasts = math.inf if duration is None else validate.positive(duration, "duration")
@@ -293,7 +310,7 @@ class Body:
     @noted
     def apply_impulse(self, impulse: Any, at: Any = None) -> None:
         """Change the momentum at once by `impulse` (N s, world), at a point (m, world)."""
-        row, given = self._movable("impulse"), validate.vector(impulse, "impulse")
+        row, given = self._dynamic("impulse"), validate.vector(impulse, "impulse")
         bodies = self._world.bodies
         bodies.vx[row] += bodies.inverse_mass[row] * given.x
         bodies.vy[row] += bodies.inverse_mass[row] * given.y
@@ -305,7 +322,24 @@ class Body:
     def _row(self) -> int:
         return self._world.row(self)
 
-    def _movable(self, what: str) -> int:
+    def _dynamic(self, what: str) -> int:
+        """Row of the body, if forces move it.
+
+        Raises:
+            ValueError: if not, in a sentence that says what it does not take.
+        """
+        row = self._placeable(what)
+        if not self.is_dynamic:
+            raise ValueError(f"{self.name} is {self.kind}: it takes no {what}")
+        return row
+
+    def _moving(self, what: str) -> int:
+        row = self._placeable(what)
+        if self.kind == "static":
+            raise ValueError(f"{self.name} is static: it takes no {what}")
+        return row
+
+    def _placeable(self, what: str) -> int:
         row = self._row()
         if self.is_wall:
             raise ValueError(f"a wall is immovable: {self.name} takes no {what}")

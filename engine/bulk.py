@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from engine import validate
+from engine import kinds, validate
 from engine.collision import Collision
 from engine.shapes import Particle, Wall
 
@@ -145,7 +145,11 @@ def set_state(world: "World", given: Any) -> None:
             raise ValueError(f"a wall is immovable: {body.name} takes no state")
         if isinstance(body.shape, Particle) and new[-1] != 0.0:
             raise ValueError(f"a particle never rotates, so {body.name} cannot have spin {new[-1]}")
+        if body.kind == "static" and (old[4:] != new[4:]).any():
+            raise ValueError(f"{body.name} is static: it takes no velocity and no spin")
     movable = np.array([not world.store.handles[row].is_wall for row in rows], bool)
     for i, name in enumerate(STATE[1:], start=1):
         np.asarray(getattr(world.bodies, name))[rows[movable]] = wanted[movable, i]
+    for row in rows[movable]:
+        kinds.repose(world.store, int(row))
     world.displaced()

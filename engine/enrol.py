@@ -11,22 +11,38 @@ from engine.tables import Corners, Tables
 HUGE = 1e100
 """Masses (kg) and moments of inertia (kg m^2) lie between this and its inverse."""
 
+KINDS = ("dynamic", "kinematic", "static")
+"""What moves a body: forces and impulses; nothing but its own velocity; nothing at all."""
+
+ENDLESS = {"mass": math.inf, "inverse_mass": 0.0, "inertia": math.inf, "inverse_inertia": 0.0}
+"""Columns of bodies that no force moves."""
+
+WALL = "a wall is immovable: it takes no"
+
 
 def initial_values(shape: Shape, given: dict[str, Any]) -> dict[str, float]:
     """Check what was given for a new body; return it as columns of `Bodies`.
 
     Args:
         shape: of the body.
-        given: mass, inertia, position, angle, velocity, spin (each None if not given),
+        given: kind, mass, inertia, position, angle, velocity, spin (each None if not given),
             restitution, friction, gravity_scale, category, mask and group.
     """
-    kinematic = ("mass", "position", "angle", "velocity", "spin", "inertia")
+    kind = given["kind"]
     if isinstance(shape, Wall):
-        for what in kinematic:
-            if given[what] is not None:
-                raise ValueError(f"a wall is immovable: it takes no {what} {given[what]}")
+        _refuse(given, ("mass", "position", "angle", "velocity", "spin", "inertia"), WALL)
+        if kind not in (None, "static"):
+            raise ValueError(f"{WALL} kind {kind!r}")
+        kind = "static"
     elif isinstance(shape, Particle) and (given["inertia"] is not None or given["spin"]):
         raise ValueError("a particle never rotates: it takes no inertia and no spin")
+    kind = "dynamic" if kind is None else kind
+    if kind not in KINDS:
+        raise ValueError(f"kind must be one of {', '.join(KINDS)}, not {kind!r}")
+    if kind != "dynamic":
+        _refuse(given, ("mass", "inertia"), f"a {kind} body has infinite mass: it takes no")
+    if kind == "static":
+        _refuse(given, ("velocity", "spin"), "a static body does not move: it takes no")
     return {
         "restitution": validate.fraction(given["restitution"], "restitution"),
         "friction": validate.not_negative(given["friction"], "friction"),
@@ -34,9 +50,16 @@ def initial_values(shape: Shape, given: dict[str, Any]) -> dict[str, float]:
         "category": filters.category_bits(given["category"]),
         "mask": filters.mask_bits(given["mask"]),
         "group": filters.group_number(given["group"]),
-        **_inertness(shape, given["mass"], given["inertia"]),
+        "moves": int(kind != "static"),
+        **_inertness(shape, kind, given["mass"], given["inertia"]),
         **_motion(given["position"], given["angle"], given["velocity"], given["spin"]),
     }
+
+
+def _refuse(given: dict[str, Any], names: tuple[str, ...], sentence: str) -> None:
+    for name in names:
+        if given[name] is not None:
+            raise ValueError(f"{sentence} {name} {given[name]}")
 
 
 def write_body(
@@ -50,7 +73,6 @@ def write_body(
     b.first_piece[row], b.pieces[row] = piece, len(shape.pieces)
     for name, value in values.items():
         getattr(b, name)[row] = value
-    b.moves[row] = int(b.inverse_mass[row] > 0.0)
     for each in shape.pieces:
         write_piece(t, each, row, piece, corner)
         piece, corner = piece + 1, corner + len(each.corners)
@@ -92,11 +114,12 @@ def write_corners(c: Corners, shape: Piece, row: int) -> float:
     return inner if len(points) > 2 else 0.0
 
 
-def _inertness(shape: Shape, mass: float | None, inertia: float | None) -> dict[str, float]:
+def _inertness(
+    shape: Shape, kind: str, mass: float | None, inertia: float | None
+) -> dict[str, float]:
     """Mass, moment of inertia and their inverses, as columns of `Bodies`."""
-    if isinstance(shape, Wall):
-        still = {"mass": math.inf, "inertia": math.inf}
-        return still | {"inverse_mass": 0.0, "inverse_inertia": 0.0}
+    if kind != "dynamic" or isinstance(shape, Wall):
+        return ENDLESS
     kg = 1.0 if mass is None else validate.positive(mass, "mass")
     turning = shape.inertia(kg) if inertia is None else validate.positive(inertia, "inertia")
     turns = turning <= HUGE or isinstance(shape, Particle)

@@ -133,7 +133,7 @@ def checked_bodies(world: "World", bodies: Any) -> tuple[Body, ...] | None:
 
     Raises:
         TypeError: for what is no body.
-        ValueError: for a wall.
+        ValueError: for a body that is not dynamic.
         Removed: (a LookupError) for a body that is not in the world.
     """
     if bodies is None:
@@ -145,8 +145,8 @@ def checked_bodies(world: "World", bodies: Any) -> tuple[Body, ...] | None:
         if not isinstance(body, Body):
             raise TypeError(f"a law acts on bodies, not on {body!r}")
         world.row(body)
-        if body.is_wall:
-            raise ValueError(f"a wall is immovable: {body.name} takes no law of force")
+        if not body.is_dynamic:
+            raise ValueError(f"{body.name} is {body.kind}: it takes no law of force")
         chosen[body.id] = body
     return tuple(chosen[id] for id in sorted(chosen))
 
@@ -166,7 +166,7 @@ def field_table(
         if each.bodies is not None:
             listed += [(rows[b.id], each.id, each.law) for b in each.bodies if b.id in rows]
         elif each.is_python:
-            movable = [i for i, body in enumerate(handles) if not body.is_wall]
+            movable = [i for i, body in enumerate(handles) if body.is_dynamic]
             listed += [(row, each.id, each.law) for row in movable]
         else:
             listed.append((EVERY_BODY, each.id, each.law))

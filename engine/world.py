@@ -110,6 +110,7 @@ class World:
         self,
         shape: Shape,
         *,
+        kind: str | None = None,
         mass: float | None = None,
         position: Any = None,
         angle: float | None = None,
@@ -128,6 +129,10 @@ class World:
     ) -> Body:
         """Put a body into the world; return its handle.
 
+        A body of the `kind` "dynamic" is moved by forces; one that is "kinematic" has infinite mass
+        and goes with its own velocity and spin, pushing others; one that is "static" stays where it
+        is put, as walls do, which are nothing else.
+
         Mass is 1 kg, the rest zero unless given; the moment of inertia follows from shape and mass.
         A wall takes none of mass, position, angle, velocity, spin, inertia.
 
@@ -136,15 +141,21 @@ class World:
         """
         if not isinstance(shape, Shape):
             raise TypeError(f"a body needs a Circle, Particle, Polygon or Wall, not {shape!r}")
-        given = {"mass": mass, "position": position, "angle": angle, "velocity": velocity}
+        given = {
+            "kind": kind,
+            "mass": mass,
+            "position": position,
+            "angle": angle,
+            "velocity": velocity,
+        }
         given |= {"spin": spin, "inertia": inertia}
         given |= {"restitution": restitution, "friction": friction}
         given |= {"gravity_scale": gravity_scale}
         given |= {"category": category, "mask": mask, "group": group}
         values = initial_values(shape, given)
         id = self.store.new_id("body")
-        kind = type(shape).__name__.lower()
-        body = Body(self, id, shape, f"{kind} {id}" if name is None else str(name))
+        name_of_shape = type(shape).__name__.lower()
+        body = Body(self, id, shape, f"{name_of_shape} {id}" if name is None else str(name))
         body.on_move, body.on_collision = on_move, on_collision
         self.store.add_body(body, shape, values)
         self.displaced()
@@ -338,7 +349,7 @@ class World:
     def potential_energy(self) -> float:
         """Of all bodies in the gravity, zero at the origin, and in built-in laws of force (J)."""
         down = self.gravity
-        movable = [body for body in self if not body.is_wall]
+        movable = [body for body in self if body.is_dynamic]
         each = [-b.mass * b.gravity_scale * (down.x * b.x + down.y * b.y) for b in movable]
         return math.fsum(each + energy_in_fields(self.force_laws, movable))
 

@@ -233,7 +233,7 @@ def test_bad_input_is_refused_in_a_sentence(make: Any, sentence: str) -> None:
 def test_walls_and_strangers_take_no_law() -> None:
     world, _, _ = room()
     wall = world.add(Wall((0, -1), (1, -1)))
-    with pytest.raises(ValueError, match="wall 3 takes no law of force"):
+    with pytest.raises(ValueError, match="wall 3 is static: it takes no law of force"):
         world.add_law(SpringTo((0, 0), 1), [wall])
     with pytest.raises(Removed, match="circle 1 is not in this world"):
         world.add_law(SpringTo((0, 0), 1), [World().add(Circle(1))])

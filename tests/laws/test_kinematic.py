@@ -1,0 +1,144 @@
+"""Bodies of infinite mass that move: pistons, platforms, paddles, and static ones of any shape."""
+
+import math
+
+import pytest
+
+from engine import Circle, Particle, Polygon, World
+
+G = 9.81
+
+
+def run(world: World, seconds: float) -> int:
+    return sum(len(world.step()) for _ in range(round(60 * seconds)))
+
+
+@pytest.mark.parametrize("restitution", [1.0, 0.5, 0.0])
+def test_a_ball_leaves_a_piston(restitution: float) -> None:
+    """v' = u + e (u + v), away from a piston at speed u; elastic: 2u + v. It meets it in time."""
+    u, v = 3.0, 5.0
+    world = World()
+    piston = world.add(
+        Polygon.box(1, 4), kind="kinematic", velocity=(u, 0), restitution=restitution
+    )
+    ball = world.add(Circle(0.25), position=(4.75, 0.0), velocity=(-v, 0))
+    (hit,) = [hit for _ in range(60) for hit in world.step()]
+    assert hit.time == pytest.approx((4.75 - 0.25 - 0.5) / (u + v), abs=1e-12)
+    assert hit.speed == pytest.approx(u + v, rel=1e-12)
+    assert ball.vx == pytest.approx(u + restitution * (u + v), rel=1e-12)
+    assert piston.velocity == (u, 0)
+    assert piston.x == pytest.approx(u * world.time, rel=1e-12)
+
+
+def test_a_ball_between_closing_pistons_gains_the_work_of_the_pistons() -> None:
+    """Each elastic impact adds twice the piston's speed (Fermi's acceleration)."""
+    world = World()
+    for side in (-1.0, 1.0):
+        world.add(
+            Polygon.box(1, 1), kind="kinematic", position=(5.5 * side, 0),
+            velocity=(-0.5 * side, 0), restitution=1.0,
+        )  # fmt: skip
+    ball = world.add(Circle(0.1), mass=2.0, velocity=(4.0, 0))
+    hits = [hit for _ in range(480) for hit in world.step()]
+    assert len(hits) > 4
+    assert ball.speed == pytest.approx(4.0 + len(hits), rel=1e-9)
+
+
+def test_a_moving_platform_carries_a_box_by_friction() -> None:
+    """The box slides for v / (mu g) and lags behind by v^2 / (2 mu g); then it rides along."""
+    v, mu = 2.0, 0.4
+    world = World(gravity=(0, -G), integrator="velocity-verlet")
+    platform = world.add(
+        Polygon.box(20, 1), kind="kinematic", position=(0, -0.5), velocity=(v, 0), friction=mu
+    )
+    box = world.add(Polygon.box(1, 1), position=(0, 0.5), friction=mu)
+    run(world, 1.0)
+    assert box.vx == pytest.approx(v, abs=1e-3)
+    assert platform.x - box.x == pytest.approx(v * v / (2 * mu * G), rel=0.01)
+    lag = platform.x - box.x
+    run(world, 2.0)
+    assert platform.x - box.x == pytest.approx(lag, abs=1e-3)
+    assert platform.position == pytest.approx((3 * v, -0.5), rel=1e-12)
+
+
+def test_a_lift_carries_what_stands_on_it() -> None:
+    world = World(gravity=(0, -G))
+    lift = world.add(Polygon.box(4, 0.2), kind="kinematic", position=(0, -0.1), velocity=(0, 1.5))
+    boxes = [world.add(Polygon.box(1, 1), position=(0, 0.5 + i), friction=0.5) for i in range(3)]
+    run(world, 2.0)
+    assert lift.y == pytest.approx(2.9, rel=1e-12)
+    for i, box in enumerate(boxes):
+        assert box.y == pytest.approx(3.5 + i, abs=5e-3)
+        assert box.vy == pytest.approx(1.5, abs=5e-3)
+
+
+def test_a_lift_that_sets_off_strikes_what_stands_on_it() -> None:
+    """From rest to u at once: an impact, after which the box flies at (1 + e) u."""
+    world = World(gravity=(0, -G), integrator="velocity-verlet")
+    lift = world.add(Polygon.box(4, 0.2), kind="kinematic", position=(0, -0.1), restitution=1.0)
+    box = world.add(Polygon.box(1, 1), position=(0, 0.5))
+    run(world, 0.5)
+    lift.velocity = (0.0, 2.0)
+    hits = world.step()
+    assert [(hit.a, hit.b) for hit in hits] == [(lift, box)]
+    assert hits[0].impulse.y == pytest.approx(4.0, rel=1e-2)
+    assert box.vy == pytest.approx(4.0 - G / 60, rel=1e-2)
+
+
+def test_a_slowly_changing_lift_does_not_strike() -> None:
+    """0.5 m/s^2, set tick by tick: what stands on it keeps standing."""
+    world = World(gravity=(0, -G))
+    lift = world.add(Polygon.box(4, 0.2), kind="kinematic", position=(0, -0.1), restitution=1.0)
+    box = world.add(Polygon.box(1, 1), position=(0, 0.5))
+    for tick in range(120):
+        lift.velocity = (0.0, 0.5 * tick / 60)
+        assert tick == 0 or world.step() == []
+    assert box.y - lift.y == pytest.approx(0.6, abs=2e-3)
+
+
+def test_a_spinning_paddle_hits_at_its_own_instant() -> None:
+    """A beam of half-length 2 and no width to speak of turns at 1 rad/s; a point at (1, 1) is met
+    after pi / 4 and leaves square to the beam with (1 + e) omega r.
+    """
+    world = World()
+    world.add(Polygon.box(4, 2e-6), kind="kinematic", spin=1.0, restitution=1.0)
+    point = world.add(Particle(1e-6), position=(1, 1))
+    (hit,) = [hit for _ in range(60) for hit in world.step()]
+    assert hit.time == pytest.approx(math.pi / 4, abs=1e-5)
+    out = 2.0 * math.sqrt(2.0)
+    assert point.velocity == pytest.approx((-out * math.sqrt(0.5), out * math.sqrt(0.5)), rel=1e-5)
+
+
+def test_two_kinematic_bodies_and_walls_pass_through_each_other() -> None:
+    world = World()
+    a = world.add(Polygon.box(1, 1), kind="kinematic", velocity=(2, 0))
+    world.add(Circle(1), kind="static", position=(3, 0))
+    b = world.add(Circle(1), kind="kinematic", position=(6, 0), velocity=(-2, 0))
+    assert run(world, 3.0) == 0
+    assert a.position == pytest.approx((6, 0), rel=1e-12)
+    assert b.position == pytest.approx((0, 0), abs=1e-12)
+
+
+def test_neither_gravity_nor_drag_nor_a_blow_moves_them() -> None:
+    world = World(gravity=(0, -G))
+    kinematic = world.add(Polygon.box(1, 1), kind="kinematic", velocity=(1, 0), spin=2.0)
+    static = world.add(Polygon.box(1, 1), kind="static", position=(0, -3), angle=0.5)
+    for x in (0.2, 0.9):
+        world.add(Circle(0.3), mass=1000.0, position=(x, 3), restitution=0.5)
+    run(world, 3.0)
+    assert kinematic.velocity == (1, 0)
+    assert kinematic.position == pytest.approx((3, 0), abs=1e-12)
+    assert kinematic.spin == 2.0
+    assert (static.position, static.angle, static.velocity) == ((0, -3), 0.5, (0, 0))
+
+
+@pytest.mark.parametrize("shape", [Circle(1.0), Particle(1.0), Polygon.box(2, 2)])
+def test_a_static_body_of_any_shape_stops_what_comes(shape: Circle | Particle | Polygon) -> None:
+    """A ball falls on its top, 1 m above its middle, and comes back to where it was dropped."""
+    world = World(gravity=(0, -G), integrator="velocity-verlet")
+    world.add(shape, kind="static", restitution=1.0)
+    ball = world.add(Circle(0.5), position=(0, 4.0))
+    period = 2 * math.sqrt(2 * 2.5 / G)
+    run(world, 10 * period)
+    assert ball.x == pytest.approx(0.0, abs=1e-6)
+    assert ball.vy**2 / 2 + G * ball.y == pytest.approx(G * 4.0, rel=1e-9)
