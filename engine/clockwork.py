@@ -1,6 +1,6 @@
 """What drives a world: it runs the kernels tick by tick and does what only Python can do."""
 
-from engine import collision, jit
+from engine import collision, jit, warming
 from engine.collision import Collision, Diverged
 from engine.pair_rows import mix_by_rules
 from engine.settings import Laws, Rule, geometric_mean, larger
@@ -9,22 +9,43 @@ from engine.tables import Tables
 from engine.tick import FULL, LOST, UNMIXED, WAITING
 from engine.travel import DONE
 
+BODY, PAIR = 15e-6, 40e-6
+"""What an interpreted tick takes for each body and for each pair, roughly (s). An estimate, so that
+no clock has a say."""
+
+WORTHWHILE = 2.0
+"""Interpreted work (s) after which a world is taken for one that goes on for long."""
+
+AGAIN = 0.2
+"""Interpreted work (s) between two looks at whether machine code is ready."""
+
+AT_ONCE = 30
+"""Ticks between two looks at most."""
+
 
 class Clockwork:
-    """Advances the tables of a store by the kernels of a mode (see `jit.choose`)."""
+    """Advances the tables of a store by the kernels of a mode (see `jit.resolve`)."""
 
-    __slots__ = ("_bound_to", "_kernels", "_run", "_store")
+    __slots__ = ("_bound_to", "_kernels", "_next_look", "_run", "_store", "_work")
 
     def __init__(self, store: Store, mode: str) -> None:
         """Choose the kernels.
 
         Raises:
-            ValueError, ImportError: see `jit.choose`.
+            ValueError: for an unknown mode.
+            ImportError: if compiled kernels are asked for and numba is missing or broken.
         """
+        mode = jit.resolve(mode)
         self._store = store
-        self._kernels = jit.choose(mode)
+        self._kernels = jit.compiled() if mode == "compiled" else jit.INTERPRETED
         self._bound_to: tuple[Tables, Laws] | None = None
-        self._run: jit.Run = self._kernels.bind(store.tables, Laws(0.0, 0.0, 0.0, 0.0, 0, 1))
+        self._work = 0.0
+        self._next_look = WORTHWHILE if mode == "auto" else float("inf")
+
+    @property
+    def compiled(self) -> bool:
+        """Whether it runs machine code."""
+        return self._kernels.compiled
 
     def advance(
         self, laws: Laws, rules: tuple[Rule, Rule], dt: float, ticks: int = 1
@@ -40,6 +61,18 @@ class Clockwork:
         Raises:
             Diverged: when a body left the range of numbers.
         """
+        if self._kernels.compiled:
+            return self._advance(laws, rules, dt, ticks)
+        collisions: list[Collision] = []
+        for done in range(0, ticks, AT_ONCE):
+            part = min(AT_ONCE, ticks - done)
+            collisions += self._advance(laws, rules, dt, part)
+            self._consider_compiling(part)
+        return collisions
+
+    def _advance(
+        self, laws: Laws, rules: tuple[Rule, Rule], dt: float, ticks: int
+    ) -> list[Collision]:
         store = self._store
         progress, state = store.tables.progress, store.tables.state
         progress.phase[0] = WAITING
@@ -74,3 +107,13 @@ class Clockwork:
             self._bound_to = (tables, laws)
             self._run = self._kernels.bind(tables, laws)
         return self._run
+
+    def _consider_compiling(self, ticks: int) -> None:
+        """Change to machine code if this world goes on for long and it is ready."""
+        counts = self._store.tables.counts
+        self._work += ticks * (BODY * counts.bodies[0] + PAIR * counts.pairs[0])
+        if self._work >= self._next_look:
+            self._next_look = self._work + AGAIN
+            ready = warming.background().kernels()
+            if ready is not None:
+                self._kernels, self._bound_to = ready, None

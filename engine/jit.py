@@ -1,21 +1,25 @@
-"""The one place that knows of numba: it compiles the kernels, which are plain functions without it.
+"""Which kernels a world runs on: as Python reads them, or compiled by numba.
 
-Compiled and interpreted kernels give the same bits, so a world may change from one to the other
-between any two ticks. Machine code is kept in numba's cache; its key holds a hash of all kernel
-sources, because numba itself notices only edits of the outermost function's file.
+Kernels are plain functions. Compiled and interpreted ones give the same bits, so a world may change
+from one to the other between any two ticks. This module and `pointers`, which is imported only to
+compile, are all that knows of numba. It keeps machine code in its cache; the key holds a hash of
+all kernel sources, because numba itself notices only edits of the outermost function's file.
 """
 
 import hashlib
 import importlib
+import importlib.metadata
 import importlib.util
 import inspect
 import os
+import platform
+import sys
 from collections.abc import Callable
 from functools import cache, partial
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from engine import tick
+from engine import machine_code, tick
 from engine.settings import Laws
 from engine.tables import Tables
 
@@ -68,19 +72,18 @@ def bind_interpreted(tables: Tables, laws: Laws) -> Run:
 INTERPRETED = Kernels(False, bind_interpreted)
 
 
-def choose(mode: str) -> Kernels:
-    """Return the kernels for a world that was made with `mode`.
+def resolve(mode: str) -> str:
+    """Say what a world that was made with `mode` runs on: one of `MODES`.
 
     Raises:
         ValueError: if the mode, or the one that the environment names, is not known.
-        ImportError: if compiled kernels are asked for and numba is not installed.
     """
     origin = "kernels"
     if mode == "auto":
         mode, origin = os.environ.get(VARIABLE, "auto") or "auto", VARIABLE
     if mode not in MODES:
         raise ValueError(f"{origin} must be one of {', '.join(MODES)}, not {mode!r}")
-    return compiled() if mode == "compiled" else INTERPRETED
+    return mode
 
 
 def available() -> bool:
@@ -89,21 +92,80 @@ def available() -> bool:
 
 
 @cache
+def key() -> str:
+    """Tells apart machine code of other sources, versions and machines."""
+    digest = hashlib.sha256()
+    for name in (*SOURCES, "jit", "pointers", "settings", "tables"):
+        source = importlib.util.find_spec(f"engine.{name}")
+        if source is not None and source.origin is not None:
+            digest.update(Path(source.origin).read_bytes())
+    versions = [importlib.metadata.version(name) for name in ("numba", "numpy")]
+    for part in (*versions, sys.version, platform.machine(), platform.node()):
+        digest.update(part.encode())
+    return digest.hexdigest()
+
+
+def is_ready() -> bool:
+    """Whether machine code stands beside the sources; false where it is kept elsewhere."""
+    return available() and machine_code.is_marked(machine_code.BESIDE, key())
+
+
+def folder() -> Path | None:
+    """Where machine code is kept; None if there is no folder that can be written.
+
+    Raises:
+        ImportError: if numba is not installed, or broken.
+    """
+    return _outermost()[1]
+
+
+def is_kept() -> bool:
+    """Whether machine code can be loaded from where it is kept.
+
+    Raises:
+        ImportError: if numba is not installed, or broken.
+    """
+    kept_in = folder()
+    return kept_in is not None and machine_code.is_marked(kept_in, key())
+
+
+@cache
 def compiled() -> Kernels:
     """Compile the kernels, or load them from numba's cache.
 
+    Where no folder can be written they are compiled for this process alone.
+
     Raises:
-        ImportError: if numba is not installed.
+        ImportError: if numba is not installed, or broken.
     """
-    if not available():
-        raise ImportError("compiled kernels need numba: pip install 'laws-of-motion[fast]'")
-    pointers = importlib.import_module("engine.pointers")
-    digest = hashlib.sha256()
-    for name in (*SOURCES, "jit", "pointers", "settings", "tables"):
-        digest.update(Path(inspect.getfile(importlib.import_module(f"engine.{name}"))).read_bytes())
+    kernel, kept_in = _outermost()
+    if kept_in is None:
+        return Kernels(True, _pointers().compile_now(kernel))
+    with machine_code.alone(kept_in):
+        bind = _pointers().compile_now(kernel)
+        machine_code.mark(kept_in, key())
+    return Kernels(True, bind)
+
+
+@cache
+def _outermost() -> tuple[Any, Path | None]:
+    """The function that will be compiled, and where its code is kept."""
+    pointers = _pointers()
     for name in SOURCES:
         module = importlib.import_module(f"engine.{name}")
         for function in vars(module).values():
             if inspect.isfunction(function) and function.__module__ == module.__name__:
                 pointers.let_kernels_call(function)
-    return Kernels(True, pointers.binder(digest.hexdigest()))
+    kernel, folder = pointers.outermost(key())
+    return kernel, None if folder is None else Path(folder)
+
+
+def _pointers() -> Any:
+    if not available():
+        raise ImportError("compiled kernels need numba: pip install 'laws-of-motion[fast]'")
+    try:
+        return importlib.import_module("engine.pointers")
+    except Exception as error:
+        raise ImportError(
+            f"numba is installed but does not work ({error}): pip install --force-reinstall numba"
+        ) from error

@@ -236,6 +236,8 @@ def clear(context: Any, builder: Any, sig: Any, args: Any) -> Any:
     return context.get_dummy_value()
 
 
+SIGNATURE = "int64(int64, float64, int64)"
+
 PLAIN = {"error_model": "numpy", "_nrt": False}
 """Options of all compiled functions: nothing raises, nothing is counted."""
 
@@ -243,28 +245,6 @@ PLAIN = {"error_model": "numpy", "_nrt": False}
 def let_kernels_call(function: Any) -> None:
     """Let compiled functions call a kernel."""
     register_jitable(no_cpython_wrapper=True, no_cfunc_wrapper=True, **PLAIN)(function)
-
-
-def binder(sources: str) -> Callable[[Tables, Laws], Callable[[float, int], int]]:
-    """Compile the kernels, or load them from numba's cache; `sources` is part of its key.
-
-    Where no folder can be written they are compiled for this process alone.
-    """
-    try:
-        run = njit(SIGNATURE, cache=True, nogil=True, **PLAIN)(entry(sources))
-    except RuntimeError:  # numba found no folder for its cache
-        run = njit(SIGNATURE, nogil=True, **PLAIN)(entry(sources))
-
-    def bind(tables: Tables, laws: Laws) -> Callable[[float, int], int]:
-        held = directory(tables, laws)
-        bound: Any = partial(run, int(held.ctypes.data))
-        bound.keeps_alive = held, tables
-        return bound  # type: ignore[no-any-return]
-
-    return bind
-
-
-SIGNATURE = "int64(int64, float64, int64)"
 
 
 def entry(sources: str) -> Callable[[int, float, int], int]:
@@ -276,3 +256,29 @@ def entry(sources: str) -> Callable[[int, float, int], int]:
         return tick.run(tables_at(address), laws_at(address), dt, ticks)
 
     return run
+
+
+def outermost(sources: str) -> tuple[Any, str | None]:
+    """Make the function to compile, and say where its code is kept; None: nowhere.
+
+    `sources` is part of the key under which it is kept.
+    """
+    try:
+        kernel = njit(cache=True, nogil=True, **PLAIN)(entry(sources))
+    except RuntimeError:  # numba found no folder that can be written
+        return njit(nogil=True, **PLAIN)(entry(sources)), None
+    return kernel, kernel.stats.cache_path
+
+
+def compile_now(kernel: Any) -> Callable[[Tables, Laws], Callable[[float, int], int]]:
+    """Compile the function or load its code; return what binds it to tables."""
+    kernel.compile(SIGNATURE)
+    kernel.disable_compile()
+
+    def bind(tables: Tables, laws: Laws) -> Callable[[float, int], int]:
+        held = directory(tables, laws)
+        bound: Any = partial(kernel, int(held.ctypes.data))
+        bound.keeps_alive = held, tables
+        return bound  # type: ignore[no-any-return]
+
+    return bind

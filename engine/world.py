@@ -319,6 +319,11 @@ class World:
         return self.store.time
 
     @property
+    def kernels(self) -> str:
+        """What it runs on at present: "interpreted" or "compiled"."""
+        return "compiled" if self._clockwork.compiled else "interpreted"
+
+    @property
     def gravity(self) -> Vector:
         """Acceleration that every body feels (m/s^2)."""
         return Vector(self.laws.gravity_x, self.laws.gravity_y)

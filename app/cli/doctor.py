@@ -79,6 +79,32 @@ def _extras() -> Iterator[Finding]:
             yield Finding("ok", f"{name} {version}, for {use}")
 
 
+def _kernels() -> Iterator[Finding]:
+    """Say what worlds run on, and whether machine code is ready."""
+    from engine import jit
+
+    try:
+        mode = jit.resolve("auto")
+    except ValueError as error:
+        yield Finding("bad", f"{error}: unset it")
+        return
+    told = f", as {jit.VARIABLE} says" if os.environ.get(jit.VARIABLE) else ""
+    yield Finding("ok", f"worlds run with kernels={mode!r}{told}")
+    if not jit.available():
+        return
+    try:
+        folder, ready = jit.folder(), jit.is_kept()
+    except ImportError as error:
+        yield Finding("bad" if mode == "compiled" else "note", str(error))
+        return
+    if folder is None:
+        yield Finding("note", "no folder can keep machine code: set NUMBA_CACHE_DIR to one")
+    elif ready:
+        yield Finding("ok", f"machine code is ready in {folder}")
+    else:
+        yield Finding("note", f"machine code is not ready in {folder}: laws warm")
+
+
 def _drawing() -> Iterator[Finding]:
     """Draw a word, which needs pygame and the fonts."""
     from app.installation import pygame_trouble
@@ -120,6 +146,7 @@ LOOKS: tuple[Callable[[], Iterator[Finding]], ...] = (
     _python,
     _packages,
     _extras,
+    _kernels,
     _drawing,
     _words,
     _folder,

@@ -11,6 +11,7 @@ from app.cli.listing import list_names
 from app.cli.new import new
 from app.cli.render import render
 from app.cli.schema import schema
+from app.cli.warm import warm
 
 laws = typer.Typer(
     name="laws",
@@ -27,6 +28,7 @@ laws.command("check", short_help="Every mistake in scenario files, at once.")(ch
 laws.command("new", short_help="A commented scenario to start from.")(new)
 laws.command("list", short_help="All names: screens, widgets, probes, settings.")(list_names)
 laws.command("schema", short_help="The JSON Schema of scenario files.")(schema)
+laws.command("warm", short_help="Compile the physics ahead.")(warm)
 laws.command("doctor", short_help="Is everything installed, and what if not?")(doctor)
 
 

@@ -16,7 +16,7 @@ def push(tmp_path):
 def test_help_names_every_command(tmp_path):
     code, out, _ = laws("--help", folder=tmp_path)
     assert code == 0
-    for command in ("demo", "render", "check", "new", "list", "schema", "doctor"):
+    for command in ("demo", "render", "check", "new", "list", "schema", "warm", "doctor"):
         assert f"\n  {command} " in out
 
 

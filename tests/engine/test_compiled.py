@@ -1,0 +1,156 @@
+"""Compiled and interpreted kernels are one and the same source, and give the same bits."""
+
+import random
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from engine import (
+    Circle,
+    Force,
+    LinearDrag,
+    Particle,
+    Polygon,
+    QuadraticDrag,
+    SpringTo,
+    Torque,
+    Wall,
+    World,
+    warming,
+)
+from engine.jit import INTERPRETED, compiled
+from tests.benchmarks.engine_steps import SCENES
+
+pytest.importorskip("numba")
+
+
+@pytest.mark.parametrize("scene", SCENES)
+def test_every_scene_of_the_benchmark_ends_in_the_same_bits(scene: str) -> None:
+    worlds = [SCENES[scene](mode) for mode in ("interpreted", "compiled")]
+    for world in worlds:
+        for _ in range(20):
+            world.step()
+    assert worlds[0].digest() == worlds[1].digest()
+    assert [world.kernels for world in worlds] == ["interpreted", "compiled"]
+
+
+def throw(seed: int, integrator: str, drag: Any, gravity: tuple[float, float], mode: str) -> World:
+    """A room into which bodies of all shapes were thrown, some of them pushed."""
+    dice = random.Random(seed)
+    world = World(gravity=gravity, integrator=integrator, drag=drag, kernels=mode)
+    corners = [(0.0, 0.0), (5.0, 0.3), (5.0, 5.0), (-0.5, 5.0)]
+    for i in range(4):
+        world.add(Wall(corners[i], corners[(i + 1) % 4]), restitution=0.5, friction=0.4)
+    makers: list[Callable[[], Any]] = [
+        lambda: Circle(dice.uniform(0.1, 0.4)),
+        lambda: Particle(dice.uniform(0.1, 0.3)),
+        lambda: Polygon.box(dice.uniform(0.2, 0.8), dice.uniform(0.2, 0.8)),
+        lambda: Polygon.regular(dice.randrange(3, 9), dice.uniform(0.2, 0.5)),
+    ]
+    for i in range(dice.randrange(2, 14)):
+        body = world.add(
+            dice.choice(makers)(),
+            mass=dice.uniform(0.2, 5.0),
+            position=(0.8 + i % 4 * 1.1, 0.8 + i // 4 * 1.2),
+            angle=dice.uniform(-3, 3),
+            velocity=(dice.uniform(-4, 4), dice.uniform(-4, 4)),
+            restitution=dice.choice([0.0, 0.3, 1.0]),
+            friction=dice.choice([0.0, 0.5]),
+        )
+        if i % 3 == 0:
+            body.exert(Force(dice.uniform(-5, 5), 3), duration=0.11, at=(body.x + 0.1, body.y))
+        if i % 4 == 1:
+            body.exert(Torque(dice.uniform(-1, 1)))
+    if seed % 2:
+        world.add_law(SpringTo((2.0, 2.0), 3.0, damping=0.1))
+    return world
+
+
+@settings(max_examples=25, suppress_health_check=list(HealthCheck))
+@given(
+    seed=st.integers(0, 2**30),
+    integrator=st.sampled_from(
+        ["semi-implicit-euler", "velocity-verlet", "explicit-euler", "rk4"],
+    ),
+    drag=st.sampled_from([None, LinearDrag(0.3), QuadraticDrag(0.2)]),
+    gravity=st.sampled_from([(0.0, 0.0), (0.0, -9.81), (3.0, -1.0)]),
+)
+def test_random_worlds_end_in_the_same_bits(
+    seed: int, integrator: str, drag: Any, gravity: tuple[float, float]
+) -> None:
+    worlds = [throw(seed, integrator, drag, gravity, m) for m in ("interpreted", "compiled")]
+    told = []
+    for world in worlds:
+        told.append([(c.time, c.a.id, c.b.id, c.impulse) for _ in range(12) for c in world.step()])
+    assert worlds[0].digest() == worlds[1].digest()
+    assert told[0] == told[1]
+
+
+def test_a_world_may_change_between_two_ticks(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("LAWS_KERNELS", "auto")
+    monkeypatch.setattr("engine.clockwork.WORTHWHILE", 0.0)
+
+    class Ready:
+        asked = 0
+
+        def kernels(self) -> Any:
+            self.asked += 1
+            return compiled() if self.asked > 1 else None
+
+    ready = Ready()
+    monkeypatch.setattr(warming, "background", lambda: ready)
+    worlds = [throw(5, "velocity-verlet", None, (0.0, -9.81), m) for m in ("interpreted", "auto")]
+    for world in worlds:
+        for _ in range(300):
+            world.step()
+    assert worlds[1].kernels == "compiled"
+    assert worlds[0].kernels == "interpreted"
+    assert worlds[0].digest() == worlds[1].digest()
+
+
+def test_many_ticks_in_one_call_are_the_same_ticks() -> None:
+    """The door for long runs, with more impacts than the table holds."""
+    worlds = [SCENES["gas, 100"](mode) for mode in ("interpreted", "compiled")]
+    stepped = [len(worlds[0].step()) for _ in range(40)]
+    clockwork = worlds[1]._clockwork
+    laws, rules = worlds[1].laws, worlds[1]._rules
+    at_once = clockwork.advance(laws, rules, 1 / 60, 40)
+    assert len(at_once) == sum(stepped)
+    assert worlds[0].digest() == worlds[1].digest()
+    assert worlds[1].tick == 40
+    assert [c.time for c in at_once] == sorted(c.time for c in at_once)
+
+
+def test_rules_of_python_are_asked_by_both() -> None:
+    digests = set()
+    for mode in ("interpreted", "compiled"):
+        world = World(restitution_rule=min, friction_rule=max, kernels=mode)
+        world.add(Wall((0, 0), (9, 0)), restitution=1.0)
+        ball = world.add(Circle(1), position=(3, 1.2), velocity=(0, -9), restitution=0.25)
+        world.step()
+        world.step()
+        assert ball.velocity == pytest.approx((0, 2.25))
+        digests.add(world.digest())
+    assert len(digests) == 1
+
+
+def test_tables_that_grow_are_followed() -> None:
+    """Machine code holds addresses: they change whenever a table gets more room."""
+    worlds = [World(gravity=(0, -9.81), kernels=mode) for mode in ("interpreted", "compiled")]
+    for world in worlds:
+        world.add(Wall((-50, 0), (50, 0)), friction=0.5)
+        for i in range(60):
+            world.add(
+                Polygon.regular(3 + i % 5, 0.5), position=(i % 8, 1 + i // 8), friction=0.5
+            ).exert(Force(0.1, 0), duration=0.2)
+            world.step()
+        saved = world.snapshot()
+        world.step()
+        world.restore(saved)
+        world.remove(world.body(7))
+        world.step()
+    assert worlds[0].digest() == worlds[1].digest()
+    assert INTERPRETED.compiled is False
