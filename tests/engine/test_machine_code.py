@@ -34,7 +34,7 @@ def test_the_environment_decides_for_auto(monkeypatch: pytest.MonkeyPatch) -> No
     monkeypatch.setenv("LAWS_KERNELS", "")
     assert jit.resolve("auto") == "auto"
     monkeypatch.setenv("LAWS_KERNELS", "quick")
-    with pytest.raises(ValueError, match="LAWS_KERNELS must be one of .*, not 'quick'"):
+    with pytest.raises(ValueError, match=r"LAWS_KERNELS must be one of .*, not 'quick'"):
         World()
     assert World(kernels="interpreted").kernels == "interpreted"
 
@@ -138,9 +138,12 @@ def test_edited_sources_need_new_machine_code(tmp_path: Path) -> None:
 
 def test_one_process_compiles_at_a_time(tmp_path: Path) -> None:
     fcntl = pytest.importorskip("fcntl")
-    with machine_code.alone(tmp_path), open(tmp_path / "laws-kernels.lock") as lock:
-        with pytest.raises(BlockingIOError):
-            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    with (
+        machine_code.alone(tmp_path),
+        open(tmp_path / "laws-kernels.lock") as lock,
+        pytest.raises(BlockingIOError),
+    ):
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
     with open(tmp_path / "laws-kernels.lock") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
 
