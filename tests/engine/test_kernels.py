@@ -7,7 +7,8 @@ from collections.abc import Iterator
 
 import pytest
 
-from engine.jit import SOURCES, available, choose
+from engine import World
+from engine.jit import SOURCES, available
 
 BANNED_CALLS = {"hypot", "min", "max", "pow", "fsum", "sum"}
 """Their rounding or their choice between equal floats may differ, or they hide an allocation."""
@@ -41,7 +42,7 @@ def test_the_search_finds_what_it_looks_for() -> None:
 
 
 def test_interpreted_kernels_need_no_numba() -> None:
-    assert not choose("interpreted").compiled
+    assert World(kernels="interpreted").kernels == "interpreted"
     with pytest.raises(ValueError, match="kernels must be one of auto, interpreted, compiled"):
-        choose("fast")
+        World(kernels="fast")
     assert isinstance(available(), bool)
