@@ -9,7 +9,18 @@ from engine.queries import Hit, Nearest
 from engine.recording import Recording
 from engine.replay import Divergence, replay
 from engine.settings import TICK
-from engine.shapes import Circle, Particle, Polygon, Shape, Wall
+from engine.shapes import (
+    Box,
+    Capsule,
+    Chain,
+    Circle,
+    Compound,
+    Concave,
+    Particle,
+    Polygon,
+    Shape,
+    Wall,
+)
 from engine.snapshot import Snapshot
 from engine.vector import Vector
 from engine.world import World
@@ -18,8 +29,13 @@ __all__ = [
     "TICK",
     "ActingLaw",
     "Body",
+    "Box",
+    "Capsule",
+    "Chain",
     "Circle",
     "Collision",
+    "Compound",
+    "Concave",
     "Diverged",
     "Divergence",
     "Force",

@@ -8,7 +8,7 @@ from engine import filters, kinds, validate
 from engine.collision import Collision
 from engine.forces import Force, Push, Torque
 from engine.inputs import noted
-from engine.shapes import Particle, Shape, Wall
+from engine.shapes import Barrier, Chain, Particle, Shape, Wall, outlines
 from engine.vector import Vector
 
 if TYPE_CHECKING:
@@ -42,8 +42,8 @@ class Body:
 
     @property
     def is_wall(self) -> bool:
-        """Whether it is a wall."""
-        return isinstance(self.shape, Wall)
+        """Whether it is a wall or a chain of walls, which never moves."""
+        return isinstance(self.shape, Barrier)
 
     @property
     def kind(self) -> str:
@@ -60,8 +60,8 @@ class Body:
 
     @property
     def position(self) -> Vector:
-        """Centre of mass (m); the middle of a wall."""
-        if isinstance(self.shape, Wall):
+        """Centre of mass (m); the middle of a wall or chain."""
+        if isinstance(self.shape, Barrier):
             return self.shape.middle
         row = self._row()
         return Vector(self._world.bodies.x[row], self._world.bodies.y[row])
@@ -264,11 +264,22 @@ class Body:
 
     @property
     def vertices(self) -> tuple[Vector, ...]:
-        """Corners of a polygon or ends of a wall in the world (m); of a round body, none."""
+        """Corners of a polygon (before it is rounded) or of its outline, ends of a wall, points of
+        a chain, in the world (m); none of other shapes: see `outlines`.
+        """
         if isinstance(self.shape, Wall):
             return (self.shape.start, self.shape.end)
-        local = getattr(self.shape, "vertices", ())
+        local = self.shape.points if isinstance(self.shape, Chain) else ()
+        local = getattr(self.shape, "vertices", local)
         return tuple(self.to_world(corner) for corner in local)
+
+    @property
+    def outlines(self) -> tuple[tuple[Vector, ...], ...]:
+        """The edge of each part of the shape in the world (m), arcs as 64 chords to a circle.
+
+        Closed lines, counter-clockwise, but for those of walls and open chains.
+        """
+        return tuple(tuple(self.to_world(point) for point in line) for line in outlines(self.shape))
 
     def to_world(self, point: Any) -> Vector:
         """Turn a point of the body's frame into one of the world (m)."""

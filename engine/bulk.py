@@ -8,7 +8,7 @@ import numpy as np
 
 from engine import kinds, validate
 from engine.collision import Collision
-from engine.shapes import Particle, Wall
+from engine.shapes import Barrier, Particle
 
 if TYPE_CHECKING:
     from engine.world import World
@@ -122,7 +122,7 @@ def state(world: "World") -> Any:
     for i, name in enumerate(STATE):
         read[:, i] = np.asarray(getattr(world.bodies, name))[:count]
     for row, body in enumerate(world.store.handles):
-        if isinstance(body.shape, Wall):
+        if isinstance(body.shape, Barrier):
             read[row, 1:3] = body.position
     return read
 

@@ -5,7 +5,7 @@ from typing import Any
 
 from engine import filters, validate
 from engine.pose import put
-from engine.shapes import Particle, Piece, Shape, Wall
+from engine.shapes import Barrier, Particle, Piece, Shape
 from engine.tables import Corners, Tables
 
 HUGE = 1e100
@@ -29,7 +29,7 @@ def initial_values(shape: Shape, given: dict[str, Any]) -> dict[str, float]:
             restitution, friction, gravity_scale, category, mask and group.
     """
     kind = given["kind"]
-    if isinstance(shape, Wall):
+    if isinstance(shape, Barrier):
         _refuse(given, ("mass", "position", "angle", "velocity", "spin", "inertia"), WALL)
         if kind not in (None, "static"):
             raise ValueError(f"{WALL} kind {kind!r}")
@@ -118,7 +118,7 @@ def _inertness(
     shape: Shape, kind: str, mass: float | None, inertia: float | None
 ) -> dict[str, float]:
     """Mass, moment of inertia and their inverses, as columns of `Bodies`."""
-    if kind != "dynamic" or isinstance(shape, Wall):
+    if kind != "dynamic" or isinstance(shape, Barrier):
         return ENDLESS
     kg = 1.0 if mass is None else validate.positive(mass, "mass")
     turning = shape.inertia(kg) if inertia is None else validate.positive(inertia, "inertia")

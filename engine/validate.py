@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterable
+from itertools import islice
 from numbers import Real
 from typing import Any
 
@@ -94,3 +95,20 @@ def version(value: Any, known: int, what: str) -> None:
     """Refuse saved data of another version."""
     if isinstance(value, bool) or value != known:
         raise ValueError(f"{what} must have the format {known}, not {value!r:.50}")
+
+
+def sequence(value: Any, name: str, at_most: int) -> list[Any]:
+    """Return what can be gone through as a list; refuse strings and more than so many."""
+    if isinstance(value, str) or not isinstance(value, Iterable):
+        raise TypeError(f"{name} must be a sequence, not {value!r}")
+    listed = list(islice(value, at_most + 1))
+    if len(listed) > at_most:
+        raise ValueError(f"{name} must be at most {at_most}, but there are more")
+    return listed
+
+
+def vectors(value: Any, name: str, at_most: int) -> list[Vector]:
+    """Return a sequence of pairs of finite numbers as a list of `Vector`."""
+    if isinstance(value, str) or not isinstance(value, Iterable):
+        raise TypeError(f"{name} must be pairs of numbers, not {value!r}")
+    return [vector(v, f"{name}[{i}]") for i, v in enumerate(sequence(value, name, at_most))]

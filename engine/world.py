@@ -140,7 +140,7 @@ class World:
         other's `mask` names, and if both are of the same `group` other than 0.
         """
         if not isinstance(shape, Shape):
-            raise TypeError(f"a body needs a Circle, Particle, Polygon or Wall, not {shape!r}")
+            raise TypeError(f"a body needs a shape, such as a Circle or a Polygon, not {shape!r}")
         given = {
             "kind": kind,
             "mass": mass,

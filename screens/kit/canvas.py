@@ -6,7 +6,7 @@ from contextlib import AbstractContextManager, nullcontext
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from engine import Body, Circle, Particle, Polygon, Wall
+from engine import Body, Chain, Circle, Particle, Polygon, Wall
 from screens.kit import arrows, theme
 from screens.kit.arrows import Kind
 from screens.kit.geometry import Point, Rect, Size
@@ -95,16 +95,21 @@ class Canvas:
         let show through what is drawn already.
         """
         shape = body.shape
-        if isinstance(shape, Wall):
-            self.wall(shape, color)
+        if isinstance(shape, Wall | Chain):
+            for link in shape.pieces:
+                self.wall(Wall(link.corners[0], link.corners[1]), color)
             return
         center = self.view.to_screen(body.position)
         ink = letter_color(color, opacity)
         ground = theme.CANVAS if conceals else None
-        if isinstance(shape, Polygon):
-            corners = [self.view.to_screen(v) for v in body.vertices]
-            with self._within(*corners):
-                self._polygon(corners, color, opacity, ground)
+        if not isinstance(shape, Circle | Particle):
+            parts = [
+                [self.view.to_screen(body.to_world(point)) for point in piece.outline]
+                for piece in shape.pieces
+            ]
+            with self._within(*(corner for part in parts for corner in part)):
+                for corners in parts:
+                    self._polygon(corners, color, opacity, ground)
                 self.surface.letter(letter, center, theme.LETTER, ink)
             return
         radius = shape.radius * self.view.scale

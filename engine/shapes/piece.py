@@ -1,0 +1,74 @@
+"""The convex parts of which all shapes are made."""
+
+import math
+from dataclasses import dataclass, replace
+
+from engine.vector import Vector
+
+ORIGIN = Vector(0.0, 0.0)
+"""Centre of mass of every body, in its own frame (m)."""
+
+CHORDS = 64
+"""Straight lines that stand for a full circle in an outline."""
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A convex part of a shape, as the tables keep it: the hull of some corners, rounded."""
+
+    corners: tuple[Vector, ...]
+    """One for a disc, two for a line, three and more, counter-clockwise, for a polygon (m)."""
+    center: Vector = ORIGIN
+    """A point inside, about which it is bounded (m)."""
+    radius: float = 0.0
+    """By which it is rounded (m)."""
+    one_sided: bool = False
+    """Whether a line stops only what comes from its left."""
+    before: int = 0
+    """Which piece of the shape joins the first corner of this link of a chain, from 1; 0: none."""
+    after: int = 0
+    """The same for the second corner."""
+
+    def moved(self, offset: Vector, angle: float) -> "Piece":
+        """The piece turned about the origin (rad), then shifted (m)."""
+        return replace(
+            self,
+            corners=tuple(turned(corner, offset, angle) for corner in self.corners),
+            center=turned(self.center, offset, angle),
+        )
+
+    @property
+    def outline(self) -> tuple[Vector, ...]:
+        """Its edge, counter-clockwise (m): arcs are chords with their ends on the arc."""
+        if self.radius == 0.0:
+            return self.corners
+        edge: list[Vector] = []
+        number = len(self.corners)
+        for i, corner in enumerate(self.corners):
+            start, turn = 0.0, 2.0 * math.pi
+            if number > 1:
+                start = _heading(self.corners[i - 1], corner) - math.pi / 2.0
+                end = _heading(corner, self.corners[(i + 1) % number]) - math.pi / 2.0
+                turn = (end - start) % (2.0 * math.pi)
+            chords = max(1, math.ceil(CHORDS * turn / (2.0 * math.pi) - 1e-9))
+            for k in range(chords + (number > 1)):
+                way = start + turn * k / chords
+                edge.append(
+                    Vector(
+                        corner.x + self.radius * math.cos(way),
+                        corner.y + self.radius * math.sin(way),
+                    )
+                )
+        return tuple(edge)
+
+
+def turned(point: Vector, offset: Vector, angle: float) -> Vector:
+    """The point turned about the origin (rad), then shifted (m)."""
+    cos, sin = math.cos(angle), math.sin(angle)
+    return Vector(
+        offset.x + cos * point.x - sin * point.y, offset.y + sin * point.x + cos * point.y
+    )
+
+
+def _heading(start: Vector, end: Vector) -> float:
+    return math.atan2(end.y - start.y, end.x - start.x)
