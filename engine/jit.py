@@ -37,6 +37,7 @@ SOURCES = (
     "impacts",
     "manifolds.any_pair",
     "manifolds.hull_hull",
+    "manifolds.link",
     "manifolds.round_hull",
     "manifolds.round_round",
     "meeting",

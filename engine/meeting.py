@@ -8,14 +8,19 @@ negative; a bracketed secant (Illinois) then finds where it was zero, to roundin
 import math
 
 from engine.manifolds.any_pair import gap_between, touching_points
+from engine.manifolds.link import is_link, nearest_neighbour
 from engine.pose import place, velocity_at
-from engine.tables import FREE, NEVER, PASSING, Tables
+from engine.tables import FREE, NEVER, PASSING, RESTING, Tables
 
 STILL = 1e-9
 """Speed below which two touching bodies do not approach (m/s): rounding, no threshold to bounce."""
 
 ZERO_GAP = 1e-10
 """Gap that counts as touching, as a share of the smaller body's reach."""
+
+
+NOWHERE = -1e300
+"""Speed of approach of bodies that have no point to touch at (m/s)."""
 
 
 def measure_ways(t: Tables, count: int, part: float) -> None:
@@ -110,6 +115,31 @@ def find_meeting(t: Tables, pair: int, start: float, end: float) -> None:
     bound += rim_speed(t, a, t.pairs.piece_a[pair], lasts)
     bound += rim_speed(t, b, t.pairs.piece_b[pair], lasts)
     search(t, pair, start, end, bound)
+    if pairs.meeting[pair] < NEVER and slides_over(t, pair, pairs.speed[pair], end - start):
+        pairs.meeting[pair] = NEVER
+
+
+def slides_over(t: Tables, pair: int, speed: float, lasts: float) -> bool:
+    """Whether a body that rests on one link of a chain comes to another one at a speed (m/s).
+
+    That is no impact, unless it is faster than forces explain within `lasts` seconds.
+    """
+    bodies = t.bodies
+    pairs = t.pairs
+    if not is_link(t.pieces, pairs.piece_a[pair]) and not is_link(t.pieces, pairs.piece_b[pair]):
+        return False
+    a = pairs.a[pair]
+    b = pairs.b[pair]
+    fall = abs(bodies.ax[a]) + abs(bodies.ay[a]) + abs(bodies.ax[b]) + abs(bodies.ay[b])
+    if speed > 2.0 * fall * lasts:
+        return False
+    body = a if bodies.moves[a] == 1 else b
+    first = bodies.first_link[body]
+    for i in range(first, first + bodies.links[body]):
+        other = t.links.pair[i]
+        if pairs.a[other] == a and pairs.b[other] == b and pairs.state[other] == RESTING:
+            return True
+    return False
 
 
 def wall_of(t: Tables, pair: int) -> int:
@@ -200,7 +230,8 @@ def gap_at(t: Tables, pair: int, time: float) -> float:
 
 
 def approach_at(t: Tables, pair: int, time: float) -> float:
-    """Greatest speed (m/s) at which points that touch at `time` approach; negative if none does.
+    """Greatest speed (m/s) at which points that touch at `time` approach; negative if none does,
+    `NOWHERE` if there are no points.
 
     Leaves the points of contact in `Touch`.
     """
@@ -213,7 +244,7 @@ def approach_at(t: Tables, pair: int, time: float) -> float:
     if points == 2 and t.touch.gap[1] < lowest:
         lowest = t.touch.gap[1]
     within = lowest + 1e-8 * t.pairs.size[pair]
-    fastest = -1e300
+    fastest = NOWHERE
     for i in range(points):
         if t.touch.gap[i] <= within:
             ax, ay = velocity_at(t.bodies, a, time, t.touch.x[i], t.touch.y[i])
@@ -308,6 +339,14 @@ def root(t: Tables, pair: int, before: float, gap: float, after: float, overlap:
     return time
 
 
+def height_above(t: Tables, wall: int, x: float, y: float) -> float:
+    """Height of a point over the positive side of a placed wall (m)."""
+    first = t.pieces.first[wall]  # whose first side is the negative one
+    return t.corners.world_normal_x[first] * (t.corners.world_x[first] - x) + (
+        t.corners.world_normal_y[first] * (t.corners.world_y[first] - y)
+    )
+
+
 def notice_passing(t: Tables, pair: int) -> None:
     """Let through a one-sided wall what comes from behind; stop it again once it is through."""
     pairs = t.pairs
@@ -319,11 +358,12 @@ def notice_passing(t: Tables, pair: int) -> None:
         if t.pieces.one_sided[wall] == 0:
             return
     place(t.bodies, t.corners, body, t.bodies.clock[body])
-    first = t.pieces.first[wall]
-    above = t.corners.world_normal_x[first] * (
-        t.corners.world_x[first] - t.bodies.here_x[body]
-    ) + t.corners.world_normal_y[first] * (t.corners.world_y[first] - t.bodies.here_y[body])
-    if above < 0.0:  # the first side of a wall is the negative one
+    x = t.bodies.here_x[body]
+    y = t.bodies.here_y[body]
+    above = height_above(t, wall, x, y)
+    if above < 0.0 and is_link(t.pieces, wall) and touching_points(t, pair) == 0:
+        above = height_above(t, nearest_neighbour(t, wall, x, y), x, y)
+    if above < 0.0:
         pairs.state[pair] = PASSING
         pairs.apart[pair] = 0.0
     elif pairs.state[pair] == PASSING and gap_between(t, pair) > 0.0:

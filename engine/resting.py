@@ -8,7 +8,7 @@ impact; there is no speed below which bodies do not bounce.
 from engine.contacts import kick
 from engine.following import DRIFT, find_points, follow
 from engine.impacts import acceleration, stays, strike
-from engine.meeting import STILL, approach_at, notice_passing, wall_of
+from engine.meeting import NOWHERE, STILL, approach_at, notice_passing, slides_over, wall_of
 from engine.spring import frequency, softness, softness_left
 from engine.tables import FREE, IMPACTS_AT_ONCE, RESTING, Tables
 
@@ -93,6 +93,10 @@ def comes_to_rest(t: Tables, pair: int, shortest: float) -> bool:
     """Whether a free pair that nearly touches rests from now on."""
     size = t.pairs.size[pair]
     speed = approach_at(t, pair, 0.0)
+    if speed == NOWHERE:  # on another link of the chain: look where its points will be looked for
+        speed = approach_at(t, pair, shortest / 2.0)
+        near = t.touch.gap[0] <= TOUCHING * size
+        return speed != NOWHERE and near and slides_over(t, pair, speed, shortest)
     gap = t.touch.gap[0]
     if gap > TOUCHING * size:
         return False

@@ -1,4 +1,4 @@
-"""Circle or particle against polygon or wall: the closest side or corner (Voronoi regions)."""
+"""Disc against polygon, capsule or wall: the closest side or corner (Voronoi regions)."""
 
 import math
 
@@ -52,7 +52,7 @@ def round_hull(
 ) -> int:
     """Write the point where a placed disc and a placed hull are closest; return 1."""
     distance, normal_x, normal_y = closest(pieces, corners, disc, hull)
-    gap = distance - pieces.radius[disc]
+    gap = distance - pieces.radius[disc] - pieces.radius[hull]
     out = pieces.radius[disc] + gap / 2.0
     center = pieces.first[disc]
     touch.x[0] = corners.world_x[center] - out * normal_x
