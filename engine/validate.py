@@ -112,3 +112,10 @@ def vectors(value: Any, name: str, at_most: int) -> list[Vector]:
     if isinstance(value, str) or not isinstance(value, Iterable):
         raise TypeError(f"{name} must be pairs of numbers, not {value!r}")
     return [vector(v, f"{name}[{i}]") for i, v in enumerate(sequence(value, name, at_most))]
+
+
+def truth(value: Any, name: str) -> bool:
+    """Return `value`, True or False; refuse all else."""
+    if not isinstance(value, bool):
+        raise TypeError(f"{name} must be True or False, not {value!r}")
+    return value

@@ -18,7 +18,7 @@ from engine.manifolds.round_hull import round_hull
 from engine.tables import Pieces, Tables
 
 OWN, OTHERS, GHOST = 0, 1, 2
-"""Whose a direction from a corner of a link is: this link's; that of the link before; nobody's."""
+"""Whose a direction from a corner of a link is: this link's; that of a neighbour; nobody's."""
 
 TIE = 1e-6
 """A side of a hull is the reference only if it sees further out than those of a link by so much, as
@@ -30,6 +30,13 @@ same unit."""
 
 ALONG = 1e-9
 """Cosine to a link from which on a direction leads along it."""
+
+LEANING = 0.2
+"""Cosine to a neighbour up to which a direction that leads along it means what lies on its side,
+unless it means what lies on the link's own:"""
+
+FLUSH = 0.02
+"""the cosine to the link from which on it does not."""
 
 
 def is_link(pieces: Pieces, piece: int) -> bool:
@@ -47,8 +54,12 @@ def whose(t: Tables, link: int, corner: int, x: float, y: float) -> int:
     # The first side of a line has its normal to the right of the way from corner to corner.
     along = y * t.corners.world_normal_x[first] - x * t.corners.world_normal_y[first]
     if corner == 1:
-        return OWN if along <= ALONG else GHOST
-    return OTHERS if along >= -ALONG else GHOST
+        along = -along
+    if along >= -ALONG:
+        return OWN if corner == 1 else OTHERS
+    own = t.pieces.first[link]
+    leaves = abs(y * t.corners.world_normal_x[own] - x * t.corners.world_normal_y[own]) > FLUSH
+    return OTHERS if along > -LEANING and leaves else GHOST
 
 
 def nearest_neighbour(t: Tables, link: int, x: float, y: float) -> int:

@@ -36,7 +36,7 @@ class Wall:
             raise ValueError(f"a wall must have a length, but starts and ends at {tuple(first)}")
         object.__setattr__(self, "start", first)
         object.__setattr__(self, "end", last)
-        object.__setattr__(self, "one_sided", bool(one_sided))
+        object.__setattr__(self, "one_sided", validate.truth(one_sided, "one_sided"))
 
     @property
     def normal(self) -> Vector:
@@ -74,6 +74,7 @@ class Chain:
     def __init__(self, points: Iterable[Any], loop: bool = False, one_sided: bool = False) -> None:
         """Take two or more different points as (x, y) pairs (m), three or more for a loop."""
         given = validate.vectors(points, "points", MOST_POINTS)
+        loop = validate.truth(loop, "loop")
         kept = [p for i, p in enumerate(given) if i == 0 or p != given[i - 1]]
         if loop and len(kept) > 1 and kept[0] == kept[-1]:
             kept.pop()
@@ -81,8 +82,8 @@ class Chain:
         if len(kept) < least:
             raise ValueError(f"a chain needs at least {least} different points, not {len(kept)}")
         object.__setattr__(self, "points", tuple(kept))
-        object.__setattr__(self, "loop", bool(loop))
-        object.__setattr__(self, "one_sided", bool(one_sided))
+        object.__setattr__(self, "loop", loop)
+        object.__setattr__(self, "one_sided", validate.truth(one_sided, "one_sided"))
 
     @property
     def middle(self) -> Vector:
