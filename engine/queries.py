@@ -20,7 +20,7 @@ from engine.hulls import (
     ray_to_hull,
     touching_point,
 )
-from engine.shapes import Piece, Shape, Wall
+from engine.shapes import Barrier, Piece, Shape
 from engine.store import Store
 from engine.vector import Vector
 
@@ -168,7 +168,7 @@ def along_sweep(choice: Choice, shape: Shape, start: Any, end: Any, angle: Any) 
     """What a shape touches that moves from start to end without turning, in order."""
     if not isinstance(shape, Shape):
         raise TypeError(f"only a shape can be cast, not {shape!r}")
-    if isinstance(shape, Wall):
+    if isinstance(shape, Barrier):
         raise ValueError(f"a wall is immovable: {shape} cannot be cast")
     a, b = validate.vector(start, "start"), validate.vector(end, "end")
     turned = validate.finite(angle, "angle")
