@@ -257,7 +257,7 @@ def test_bad_pushes() -> None:
         body.exert((1, 0))  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="impulse"):
         body.apply_impulse((NAN, 0))
-    with pytest.raises(TypeError, match="needs a Circle"):
+    with pytest.raises(TypeError, match="needs a shape, such as a Circle"):
         World().add("circle")  # type: ignore[arg-type]
 
 
