@@ -44,15 +44,21 @@ class Arrow:
     """The back corners of the head."""
 
 
+def has_length(tail: Point, tip: Point) -> bool:
+    """Whether an arrow from one point to another can be drawn."""
+    dx, dy = tip.x - tail.x, tip.y - tail.y
+    return 1e-6 < math.sqrt(dx * dx + dy * dy) < math.inf
+
+
 def shape(tail: Point, tip: Point, width: float) -> Arrow | None:
     """The arrow from `tail` to `tip` with a shaft of `width`; None if it has no length.
 
     Lengths are in dp or in pixels, as given.
     """
+    if not has_length(tail, tip):
+        return None
     dx, dy = tip.x - tail.x, tip.y - tail.y
     length = math.sqrt(dx * dx + dy * dy)
-    if not 1e-6 < length < math.inf:
-        return None
     width *= min(1.0, length / (SHORTEST * HEAD_LENGTH * width))
     ux, uy = dx / length, dy / length
     neck = Point(tip.x - ux * HEAD_LENGTH * width, tip.y - uy * HEAD_LENGTH * width)

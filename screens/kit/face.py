@@ -9,7 +9,7 @@ import re
 import numpy as np
 
 from screens.kit.cache import Cache
-from screens.kit.raster import Coverage
+from screens.kit.raster import Coverage, Mask
 from screens.kit.sdl import pygame
 
 PARTS = re.compile("[0-9]|[^0-9]+")
@@ -30,10 +30,10 @@ class Face:
         """Height of the em (px)."""
         self.fine = fine
         """Words can be placed to such parts of a pixel."""
-        self.rise = -(-font.get_ascent() // fine)
-        """How many rows of a mask are above the baseline."""
         self._font = font
-        self._above = self.rise * fine - font.get_ascent()
+        self._rise = -(-font.get_ascent() // fine)
+        """How many rows of a mask are above the baseline."""
+        self._above = self._rise * fine - font.get_ascent()
         self._widths: Cache[int] = Cache(KEPT)
         self._parts: Cache[Coverage] = Cache(KEPT)
 
@@ -41,29 +41,32 @@ class Face:
         """Width of a single line (px)."""
         return sum(map(self._width, PARTS.findall(words))) / self.fine
 
-    def line(self, words: str) -> Coverage:
-        """The mask of a single line.
+    def line(self, words: str) -> Mask:
+        """The mask of a single line, seen from where its baseline begins.
 
         A number that changes costs little: the font sets only parts that are new.
         """
         parts = PARTS.findall(words)
         if len(parts) < 2:
-            return self._part(words, 0)
+            return Mask(self._part(words, 0), 0, -self._rise)
         placed, start, wide, high = [], 0, 0, 0
         for part in parts:
             left, right = divmod(start, self.fine)
-            mask = self._part(part, right)
-            placed.append((left, mask))
-            high, wide = max(high, mask.shape[0]), max(wide, left + mask.shape[1])
+            cover = self._part(part, right)
+            placed.append((left, cover))
+            high, wide = max(high, cover.shape[0]), max(wide, left + cover.shape[1])
             start += self._width(part)
         line = np.zeros((high, wide), np.uint16)
-        for left, mask in placed:
-            rows, columns = mask.shape
-            line[:rows, left : left + columns] += mask
-        return np.minimum(line, 255).astype(np.uint8)
+        for left, cover in placed:
+            rows, columns = cover.shape
+            line[:rows, left : left + columns] += cover
+        return Mask(np.minimum(line, 255).astype(np.uint8), 0, -self._rise)
 
-    def mask(self, words: str, right: int = 0, down: int = 0) -> Coverage:
-        """The mask of words set as a whole, moved by such fine parts of a pixel."""
+    def mask(self, words: str, right: int = 0, down: int = 0) -> Mask:
+        """The same, but set as a whole and moved by such fine parts of a pixel."""
+        return Mask(self._cover(words, right, down), 0, -self._rise)
+
+    def _cover(self, words: str, right: int, down: int) -> Coverage:
         font, fine = self._font, self.fine
         if not words.strip():
             columns = max(1, font.size(words)[0] // fine)
@@ -79,12 +82,12 @@ class Face:
         return _opacity(pygame.transform.smoothscale(room, (columns, rows)))
 
     def _part(self, words: str, right: int) -> Coverage:
-        """The mask of a part of a line, kept."""
-        mask = self._parts.find((words, right))
-        if mask is None:
-            mask = self.mask(words, right)
-            self._parts.keep((words, right), mask, mask.size + OVERHEAD + 2 * len(words))
-        return mask
+        """How much a part of a line covers, kept."""
+        cover = self._parts.find((words, right))
+        if cover is None:
+            cover = self._cover(words, right, 0)
+            self._parts.keep((words, right), cover, cover.size + OVERHEAD + 2 * len(words))
+        return cover
 
     def _width(self, words: str) -> int:
         """Width of a part of a line (fine px)."""

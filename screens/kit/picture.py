@@ -1,19 +1,20 @@
 """The pixels below a surface: masks become sprites of a colour, sprites are stamped.
 
-Masks, sprites and static layers are kept, within bounds, and used again.
+Both are kept, within bounds, and used again; of what fades only the masks.
 """
 
 import math
-from collections.abc import Hashable, Iterator
+from collections.abc import Callable, Hashable, Iterator
 from contextlib import contextmanager
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from screens.kit import theme
 from screens.kit.cache import Cache
 from screens.kit.discs import Coat, Discs
-from screens.kit.raster import Box, Coverage, Look, Shape, bounding_box, cover
+from screens.kit.raster import Box, Coverage, Look, Mask, Shape, bounding_box, cover
 from screens.kit.sdl import pygame
 from screens.kit.theme import Color
 
@@ -48,8 +49,9 @@ class Picture:
             )
         self.width = width
         self.height = height
-        self._masks: Cache[Coverage] = like._masks if like else Cache(MASKS)
-        self._sprites: Cache[pygame.Surface] = like._sprites if like else Cache(SPRITES)
+        self._masks: Cache[Mask] = like._masks if like else Cache(MASKS)
+        self._sprites: Cache[tuple[pygame.Surface, int, int]]
+        self._sprites = like._sprites if like else Cache(SPRITES)
         self._discs: Discs = like._discs if like else Discs()
         self._clip = Box(0, 0, width, height)
         """What may be painted."""
@@ -101,36 +103,32 @@ class Picture:
 
     def darken(self, alpha: float) -> None:
         """Lay black of this opacity over everything."""
-        strip = np.full((STRIP, self.width), 255, np.uint8)
+        strip = Mask(np.full((STRIP, self.width), 255, np.uint8))
         for top in range(0, self.height, STRIP):
-            if not self.restamp("scrim", (0, 0, 0), alpha, 0, top):
-                self.stamp("scrim", strip, (0, 0, 0), alpha, 0, top)
+            self.stamp(("scrim", self.width), theme.BLACK, alpha, 0, top, lambda: strip)
 
     def paint(
-        self, shape: Shape, look: Look, color: Color, alpha: float, fleeting: bool = False
+        self, shape: Shape, look: Look, color: Color, alpha: float, column: int = 0, row: int = 0
     ) -> None:
-        """Paint a shape given in pixels; one that lies outside costs nothing.
+        """Paint a shape given in pixels, as seen from a pixel of the picture.
 
-        Of a `fleeting` one, whose opacity changes from frame to frame, only the mask is kept.
+        One that lies outside costs nothing; one that was painted before costs little.
         """
-        box = bounding_box(shape)
-        if box is None or alpha <= 0:
+        key = (type(shape), shape, look)
+        if alpha <= 0 or self._restamp(key, color, alpha, column, row):
             return
-        seen = box.meet(self._clip)
+        box = bounding_box(shape)
+        if box is None:
+            return
+        seen = box.moved(column, row).meet(self._clip)
         if not seen.area:
             return
         if box.area > self.width * self.height:
-            sprite = _sprite(cover(shape, look, seen), color, _level(alpha))
-            self._ready().blit(sprite, (seen.left, seen.top))
+            coverage = cover(shape, look, seen.moved(-column, -row))
+            self._ready().blit(_sprite(coverage, color, _level(alpha)), (seen.left, seen.top))
             return
-        home = shape.moved(-box.left, -box.top)
-        key = (type(home), home, look)
-        if not fleeting and self.restamp(key, color, alpha, box.left, box.top):
-            return
-        mask = self._masks.find(key)
-        if mask is None:
-            mask = cover(home, look, Box(0, 0, *box.extent))
-        self.stamp(key, mask, color, alpha, box.left, box.top, fleeting)
+        mask = Mask(cover(shape, look, box), box.left, box.top)
+        self.stamp(key, color, alpha, column, row, lambda: mask)
 
     def disc(self, x: float, y: float, radius: float, coat: Coat) -> None:
         """Paint a disc given in pixels, whose radius is at most `discs.LARGEST`."""
@@ -144,38 +142,44 @@ class Picture:
             sprite = _picture(self._discs.sprite(x, y, radius, coat, box))
             self._ready().blit(sprite, (box.left, box.top))
 
-    def mask(self, key: Hashable) -> Coverage | None:
-        """The mask that was stamped under this key, if it is still held."""
-        return self._masks.find(key)
-
-    def restamp(self, key: Hashable, color: Color, alpha: float, left: int, top: int) -> bool:
-        """Paint what was stamped under this key in this colour, if it is still held."""
-        sprite = self._sprites.find((key, color, _level(alpha)))
-        if sprite is None:
-            return False
-        self._ready().blit(sprite, (left, top))
-        return True
-
     def stamp(
         self,
         key: Hashable,
-        mask: Coverage,
         color: Color,
         alpha: float,
-        left: int,
-        top: int,
-        fleeting: bool = False,
+        column: int,
+        row: int,
+        make: Callable[[], Mask],
     ) -> None:
-        """Paint a mask in a colour, and keep both under `key`; of what is `fleeting` the mask only.
+        """Paint a mask in a colour, as seen from a pixel; it is made if none is held as `key`."""
+        if alpha > 0 and not self._restamp(key, color, alpha, column, row):
+            mask = make()
+            self._masks.keep(key, mask, mask.coverage.size + OVERHEAD)
+            self._blit(mask, key, color, alpha, column, row)
 
-        They are kept apart, as colours fade more often than shapes change.
-        """
-        level = _level(alpha)
-        self._masks.keep(key, mask, mask.size + OVERHEAD)
-        sprite = _sprite(mask, color, level)
-        if not fleeting:
-            self._sprites.keep((key, color, level), sprite, 4 * mask.size + OVERHEAD)
-        self._ready().blit(sprite, (left, top))
+    def _restamp(self, key: Hashable, color: Color, alpha: float, column: int, row: int) -> bool:
+        """Paint what was stamped by this key before, if it is still held."""
+        held = self._sprites.find((key, color)) if alpha >= 1 else None
+        if held is not None:
+            sprite, left, top = held
+            self._ready().blit(sprite, (column + left, row + top))
+            return True
+        mask = self._masks.find(key)
+        if mask is None:
+            return False
+        self._blit(mask, key, color, alpha, column, row)
+        return True
+
+    def _blit(
+        self, mask: Mask, key: Hashable, color: Color, alpha: float, column: int, row: int
+    ) -> None:
+        """Paint a mask in a colour; sprites that fade are not worth to be kept."""
+        coverage, left, top = mask
+        sprite = _sprite(coverage, color, _level(alpha))
+        if alpha >= 1:
+            size = 4 * coverage.size + OVERHEAD
+            self._sprites.keep((key, color), (sprite, left, top), size)
+        self._ready().blit(sprite, (column + left, row + top))
 
     def show(self, layer: "Picture") -> None:
         """Show a finished layer of the same size."""
@@ -194,14 +198,14 @@ def _level(alpha: float) -> int:
 
 def _sprite(coverage: Coverage, color: Color, level: int) -> pygame.Surface:
     """A picture of one colour whose opacity is the coverage, times `level` / 256."""
-    opacity = coverage.astype(np.uint32)
+    pixels = coverage.astype(np.uint32)
     if level < 256:
-        opacity *= np.uint32(level)
-        opacity += np.uint32(128)
-        opacity >>= np.uint32(8)
-    opacity <<= np.uint32(24)
-    opacity |= np.uint32(color[0] << 16 | color[1] << 8 | color[2])
-    return _picture(opacity)
+        pixels *= np.uint32(level)
+        pixels += np.uint32(128)
+        pixels >>= np.uint32(8)
+    pixels <<= np.uint32(24)
+    pixels |= np.uint32(color[0] << 16 | color[1] << 8 | color[2])
+    return _picture(pixels)
 
 
 def _picture(pixels: NDArray[np.uint32]) -> pygame.Surface:

@@ -44,6 +44,11 @@ class Box(NamedTuple):
         """Width and height, never negative."""
         return max(0, self.right - self.left), max(0, self.bottom - self.top)
 
+    def moved(self, columns: int, rows: int) -> "Box":
+        """The same box elsewhere."""
+        left, top, right, bottom = self
+        return Box(left + columns, top + rows, right + columns, bottom + rows)
+
     def meet(self, other: "Box") -> "Box":
         """What both share."""
         left, top, right, bottom = self
@@ -55,14 +60,21 @@ class Box(NamedTuple):
         )
 
 
+class Mask(NamedTuple):
+    """How much of some pixels is covered, and where they lie."""
+
+    coverage: Coverage
+    left: int = 0
+    """Of its first column, seen from where it is stamped (px)."""
+    top: int = 0
+    """Of its first row."""
+
+
 class Shape(Protocol):
     """Something with an edge. Equal shapes give equal masks."""
 
     def bounds(self) -> tuple[float, float, float, float]:
         """Left, top, right and bottom of all that it covers."""
-
-    def moved(self, dx: float, dy: float) -> "Shape":
-        """The same shape elsewhere."""
 
     def distance(self, x: Grid, y: Grid) -> Grid:
         """Signed distance from its edge, negative inside; `x` is a row and `y` a column."""
@@ -79,10 +91,6 @@ class Disc(NamedTuple):
         """See `Shape`."""
         x, y, radius = self
         return x - radius, y - radius, x + radius, y + radius
-
-    def moved(self, dx: float, dy: float) -> "Disc":
-        """See `Shape`."""
-        return Disc(self.x + dx, self.y + dy, self.radius)
 
     def distance(self, x: Grid, y: Grid) -> Grid:
         """See `Shape`."""
@@ -105,11 +113,6 @@ class Slab(NamedTuple):
     def bounds(self) -> tuple[float, float, float, float]:
         """See `Shape`."""
         return self[:4]
-
-    def moved(self, dx: float, dy: float) -> "Slab":
-        """See `Shape`."""
-        left, top, right, bottom, radius = self
-        return Slab(left + dx, top + dy, right + dx, bottom + dy, radius)
 
     def distance(self, x: Grid, y: Grid) -> Grid:
         """See `Shape`."""
@@ -134,10 +137,6 @@ class Hull(NamedTuple):
         """See `Shape`."""
         xs, ys = [p.x for p in self.corners], [p.y for p in self.corners]
         return min(xs), min(ys), max(xs), max(ys)
-
-    def moved(self, dx: float, dy: float) -> "Hull":
-        """See `Shape`."""
-        return Hull(tuple(Point(p.x + dx, p.y + dy) for p in self.corners))
 
     def distance(self, x: Grid, y: Grid) -> Grid:
         """See `Shape`; beyond a corner it is the distance from the nearer side's line."""
@@ -175,11 +174,6 @@ class Bar(NamedTuple):
             max(a.y, b.y) + half,
         )
 
-    def moved(self, dx: float, dy: float) -> "Bar":
-        """See `Shape`."""
-        a, b, width = self
-        return Bar(Point(a.x + dx, a.y + dy), Point(b.x + dx, b.y + dy), width)
-
     def distance(self, x: Grid, y: Grid) -> Grid:
         """See `Shape`."""
         along, across, length = _along_and_across(self.a, self.b, x, y)
@@ -204,11 +198,6 @@ class Stroke(NamedTuple):
     def bounds(self) -> tuple[float, float, float, float]:
         """See `Shape`."""
         return Bar(self.a, self.b, self.width).bounds()
-
-    def moved(self, dx: float, dy: float) -> "Stroke":
-        """See `Shape`."""
-        a, b, width, on, off = self
-        return Stroke(Point(a.x + dx, a.y + dy), Point(b.x + dx, b.y + dy), width, on, off)
 
     def distance(self, x: Grid, y: Grid) -> Grid:
         """See `Shape`."""
@@ -242,13 +231,6 @@ class ArrowShape(NamedTuple):
         one = Hull((*parts.wings, parts.tip)).bounds()
         two = Bar(parts.tail, parts.neck, parts.width).bounds()
         return min(one[0], two[0]), min(one[1], two[1]), max(one[2], two[2]), max(one[3], two[3])
-
-    def moved(self, dx: float, dy: float) -> "ArrowShape":
-        """See `Shape`."""
-        tail, tip, width, hollow = self
-        return ArrowShape(
-            Point(tail.x + dx, tail.y + dy), Point(tip.x + dx, tip.y + dy), width, hollow
-        )
 
     def distance(self, x: Grid, y: Grid) -> Grid:
         """See `Shape`."""
@@ -341,7 +323,8 @@ def _soften(distance: Grid, grow: float, opacity: float) -> Grid:
     np.subtract(0.5 + grow, distance, out=distance)
     np.maximum(distance, 0, out=distance)
     np.minimum(distance, 1, out=distance)
-    distance *= opacity
+    if opacity != 1.0:
+        distance *= opacity
     return distance
 
 

@@ -174,15 +174,19 @@ class Surface:
     ) -> None:
         """An arrow; one that is too short for its head is drawn smaller, one without length not."""
         start, end = self._point(tail), self._point(tip)
-        fades = alpha < 1
-        if fades:
-            # What fades moves, too, as a rule: at half pixels its mask is soon met again.
+        if not (abs(start.x) < FAR and abs(start.y) < FAR):
+            return
+        if alpha < 1:
+            # What fades moves, too, as a rule: at half pixels its sprite is soon met again.
             reach = Point(end.x - start.x, end.y - start.y)
             start = Point(_to(start.x, HALVES), _to(start.y, HALVES))
             end = Point(start.x + _to(reach.x, FINEST), start.y + _to(reach.y, FINEST))
-        if arrows.shape(start, end, width * self.scale) is not None:
+        # Seen from the pixel where it starts, it is the same shape wherever it is.
+        column, row = math.floor(start.x), math.floor(start.y)
+        start, end = (Point(at.x - column, at.y - row) for at in (start, end))
+        if arrows.has_length(start, end):
             shape = ArrowShape(start, end, width * self.scale, head == "hollow")
-            self._picture.paint(shape, FILLED, color, alpha, fleeting=fades)
+            self._picture.paint(shape, FILLED, color, alpha, column, row)
 
     # -- words --------------------------------------------------------------------------------
 
@@ -241,12 +245,8 @@ class Surface:
         left, baseline = x - face.width(words) / 2, y + CAP_HEIGHT * face.pixels / 2
         column, row = math.floor(left), math.floor(baseline)
         right, down = int((left - column) * FINE), int((baseline - row) * FINE)
-        key, place = (face, words, right, down), (column, row - face.rise)
-        if not self._picture.restamp(key, color, alpha, *place):
-            mask = self._picture.mask(key)
-            if mask is None:
-                mask = face.mask(words, right, down)
-            self._picture.stamp(key, mask, color, alpha, *place)
+        key = (face, words, right, down)
+        self._picture.stamp(key, color, alpha, column, row, lambda: face.mask(words, right, down))
 
     # -- the whole ----------------------------------------------------------------------------
 
@@ -302,12 +302,9 @@ class Surface:
         if not (line and alpha > 0 and abs(left) < FAR and abs(baseline) < FAR):
             return
         face = self.type.face(style)
-        key, place = (face, line), (round(left), round(baseline) - face.rise)
-        if not self._picture.restamp(key, color, alpha, *place):
-            mask = self._picture.mask(key)
-            if mask is None:
-                mask = face.line(line)
-            self._picture.stamp(key, mask, color, alpha, *place)
+        self._picture.stamp(
+            (face, line), color, alpha, round(left), round(baseline), lambda: face.line(line)
+        )
 
     def _shape(
         self,

@@ -67,7 +67,7 @@ def test_only_the_shipped_fonts_are_opened(monkeypatch):
 def test_a_line_put_together_from_parts_is_as_if_set_as_a_whole(scale, words):
     for style in (theme.VALUE, theme.SMALL, theme.TITLE):
         face = Type(scale).face(style)
-        line, whole = face.line(words), face.mask(words)
+        line, whole = face.line(words).coverage, face.mask(words).coverage
         assert line.shape == whole.shape
         assert np.abs(line.astype(int) - whole).max() <= 4
 
@@ -76,5 +76,5 @@ def test_a_changed_number_is_not_set_anew(monkeypatch):
     face = Type(2).face(theme.VALUE)
     for i in range(0, 100, 11):
         face.line(f"{i:02} N s")
-    monkeypatch.setattr(face, "mask", lambda *_: pytest.fail("the font was asked again"))
-    assert face.line("47 N s").any()
+    monkeypatch.setattr(face, "_cover", lambda *_: pytest.fail("the font was asked again"))
+    assert face.line("47 N s").coverage.any()
