@@ -22,6 +22,7 @@ from engine.shapes import (
     Wall,
 )
 from engine.snapshot import Snapshot
+from engine.touching import Contact
 from engine.vector import Vector
 from engine.world import World
 
@@ -36,6 +37,7 @@ __all__ = [
     "Collision",
     "Compound",
     "Concave",
+    "Contact",
     "Diverged",
     "Divergence",
     "Force",

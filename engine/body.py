@@ -193,6 +193,11 @@ class Body:
         self._world.bodies.gravity_scale[row] = validate.finite(value, "gravity_scale")
 
     @property
+    def is_sensor(self) -> bool:
+        """Whether it only notices what overlaps it; see `World.contacts`."""
+        return self._world.bodies.sensor[self._row()] == 1
+
+    @property
     def category(self) -> int:
         """Bits of the kinds of body that it is."""
         return self._world.bodies.category[self._row()]

@@ -26,7 +26,7 @@ def initial_values(shape: Shape, given: dict[str, Any]) -> dict[str, float]:
     Args:
         shape: of the body.
         given: kind, mass, inertia, position, angle, velocity, spin (each None if not given),
-            restitution, friction, gravity_scale, category, mask and group.
+            restitution, friction, gravity_scale, sensor, category, mask and group.
     """
     kind = given["kind"]
     if isinstance(shape, Barrier):
@@ -47,6 +47,7 @@ def initial_values(shape: Shape, given: dict[str, Any]) -> dict[str, float]:
         "restitution": validate.fraction(given["restitution"], "restitution"),
         "friction": validate.not_negative(given["friction"], "friction"),
         "gravity_scale": validate.finite(given["gravity_scale"], "gravity_scale"),
+        "sensor": int(validate.truth(given["sensor"], "sensor")),
         "category": filters.category_bits(given["category"]),
         "mask": filters.mask_bits(given["mask"]),
         "group": filters.group_number(given["group"]),

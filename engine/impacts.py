@@ -13,6 +13,7 @@ from engine.manifolds.any_pair import touching_points
 from engine.meeting import STILL
 from engine.pose import advance, place
 from engine.tables import FREE, RESTING, Bodies, Tables
+from engine.touches import note_impact
 
 AGAIN = 6.0
 """Bodies that met within so many substeps have just met."""
@@ -151,6 +152,7 @@ def exchange(t: Tables, pair: int, one: int, other: int, bounce: float, time: fl
     give(t, pair, x, y, -along * normal_y, along * normal_x)
     impulse_x = total * normal_x - along * normal_y
     impulse_y = total * normal_y + along * normal_x
+    note_impact(t, pair, x, y, impulse_x, impulse_y)
     report(t, pair, x, y, impulse_x, impulse_y, speed, time)
 
 

@@ -45,7 +45,9 @@ SOURCES = (
     "pairing",
     "pose",
     "resting",
+    "sensing",
     "spring",
+    "touches",
     "travel",
     "tick",
 )

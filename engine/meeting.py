@@ -10,7 +10,7 @@ import math
 from engine.manifolds.any_pair import gap_between, touching_points
 from engine.manifolds.link import is_link, nearest_neighbour
 from engine.pose import place, velocity_at
-from engine.tables import FREE, NEVER, PASSING, RESTING, Tables
+from engine.tables import FREE, NEVER, PASSING, RESTING, SENSING, Tables
 
 STILL = 1e-9
 """Speed below which two touching bodies do not approach (m/s): rounding, no threshold to bounce."""
@@ -350,6 +350,8 @@ def height_above(t: Tables, wall: int, x: float, y: float) -> float:
 def notice_passing(t: Tables, pair: int) -> None:
     """Let through a one-sided wall what comes from behind; stop it again once it is through."""
     pairs = t.pairs
+    if pairs.state[pair] == SENSING:
+        return
     wall = pairs.piece_a[pair]
     body = pairs.b[pair]
     if t.pieces.one_sided[wall] == 0:

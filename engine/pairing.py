@@ -4,7 +4,8 @@ import math
 
 from engine.broadphase import fit_boxes
 from engine.neighbours import find_neighbours
-from engine.tables import NEVER, Tables, clear_row, copy_row
+from engine.tables import NEVER, SENSING, Tables, clear_row, copy_row
+from engine.touches import part_with
 
 
 def find_pairs(t: Tables, dt: float) -> bool:
@@ -40,6 +41,7 @@ def rearrange(t: Tables, before: int, found: int) -> None:
         a = t.found.a[k]
         b = t.found.b[k]
         while old < before and comes_before(pairs.piece_a[old], pairs.piece_b[old], a, b):
+            part_with(t, old)
             old += 1
         known[k] = -1
         if old < before and pairs.piece_a[old] == a and pairs.piece_b[old] == b:
@@ -47,6 +49,8 @@ def rearrange(t: Tables, before: int, found: int) -> None:
             known[k] = kept
             kept += 1
             old += 1
+    for lost in range(old, before):
+        part_with(t, lost)
     for k in range(found - 1, -1, -1):
         if known[k] >= 0:
             move(t, known[k], k)
@@ -82,6 +86,8 @@ def begin(t: Tables, pair: int) -> None:
     pairs.a[pair] = t.pieces.body[piece_a]
     pairs.b[pair] = t.pieces.body[piece_b]
     pairs.struck[pair] = -NEVER
+    if t.bodies.sensor[pairs.a[pair]] == 1 or t.bodies.sensor[pairs.b[pair]] == 1:
+        pairs.state[pair] = SENSING
     size_a = size(t, piece_a)
     size_b = size(t, piece_b)
     pairs.size[pair] = size_a if size_a < size_b else size_b
@@ -100,9 +106,13 @@ def link(t: Tables, count: int, pair_count: int) -> None:
     pairs = t.pairs
     for row in range(count):
         bodies.links[row] = 0
+    sensing = 0
     for pair in range(pair_count):
         bodies.links[pairs.a[pair]] += 1
         bodies.links[pairs.b[pair]] += 1
+        if pairs.state[pair] == SENSING:
+            sensing += 1
+    t.progress.sensing[0] = sensing
     first = 0
     for row in range(count):
         bodies.first_link[row] = first

@@ -55,7 +55,7 @@ class Nearest:
 
 
 class Choice:
-    """Which bodies a question is about: those of some categories, some bodies left out."""
+    """Which bodies a question is about: those of some categories, sensors and some left out."""
 
     def __init__(self, store: Store, mask: Any, leave_out: Any) -> None:
         """Check what was given.
@@ -73,6 +73,7 @@ class Choice:
                 raise TypeError(f"leave_out must be a list of bodies, not one of {body!r}")
         bodies, count = store.tables.bodies, store.count("bodies")
         self.rows = (np.asarray(bodies.category)[:count] & bits) != 0
+        self.rows &= np.asarray(bodies.sensor)[:count] == 0
         for body in left_out:
             self.rows[store.row(body)] = False
 

@@ -11,6 +11,7 @@ from engine.impacts import acceleration, stays, strike
 from engine.meeting import NOWHERE, STILL, approach_at, notice_passing, slides_over, wall_of
 from engine.spring import frequency, softness, softness_left
 from engine.tables import FREE, IMPACTS_AT_ONCE, RESTING, Tables
+from engine.touches import collect_last_part, leave, touch
 
 TOUCHING = 1e-5
 """Gap at which a still pair comes to rest, as a share of the smaller body's reach."""
@@ -47,6 +48,7 @@ def settle(t: Tables, count: int, pair_count: int, shortest: float) -> int:
         if one_sided[pairs.piece_a[pair]] == 1 or one_sided[pairs.piece_b[pair]] == 1:
             notice_passing(t, pair)
         if pairs.state[pair] == FREE and nearly_touch(t, pair) and comes_to_rest(t, pair, shortest):
+            touch(t, pair)
             pairs.state[pair] = RESTING
             pairs.carried[pair] = 0.0
             pairs.points[pair] = 0
@@ -122,6 +124,8 @@ def hold(t: Tables, count: int, resting: int, now: float, part: float, substep: 
             pair = t.pairs.resting[k]
             if t.pairs.state[pair] != RESTING:
                 continue
+            if not again:
+                collect_last_part(t, pair)
             if t.pairs.points[pair] > 0:
                 follow(t, pair)
             if t.pairs.points[pair] == 0 or t.pairs.drift[pair] > DRIFT * t.pairs.size[pair]:
@@ -133,9 +137,11 @@ def hold(t: Tables, count: int, resting: int, now: float, part: float, substep: 
             else:
                 does = prepare(t, pair, part, omega, softly, yielding)
             if does == PARTED:
+                leave(t, pair)
                 t.pairs.state[pair] = FREE
                 t.pairs.apart[pair] = 0.0
                 continue
+            touch(t, pair)
             if does == SLAPS and not again and t.impacts.written[0] < IMPACTS_AT_ONCE:
                 strike(t, pair, now, 0.0, substep, part, False)
                 hit = True

@@ -18,7 +18,7 @@ STATE = (
 )  # fmt: skip
 """The columns of `Bodies` that tell two worlds apart; the others follow from them."""
 
-UNUSUAL = {"gravity_scale": 1.0, "category": 1, "mask": ALL, "group": 0}
+UNUSUAL = {"gravity_scale": 1.0, "category": 1, "mask": ALL, "group": 0, "sensor": 0}
 """More such columns, hashed only if a body differs from what most have."""
 
 

@@ -146,8 +146,10 @@ class Store:
         progress = self.tables.progress
         if pairs > progress.room[0]:
             progress.room[0] = pairs + pairs // 2
-            for name, rows in (("pairs", 1), ("contacts", 2), ("links", 2), ("found", 1)):
-                self.make_room(name, rows * progress.room[0])
+            for name in ("pairs", "found", "parted"):
+                self.make_room(name, progress.room[0])
+            for name in ("contacts", "links"):
+                self.make_room(name, 2 * progress.room[0])
 
     # Pairs that pass through each other.
 

@@ -65,6 +65,8 @@ class Bodies(NamedTuple):
     """(1/(kg m^2)); 0 keeps a body from turning."""
     restitution: Floats
     friction: Floats
+    sensor: Ints
+    """1 for a body that notices what overlaps it and acts on nothing."""
     category: Ints
     """Bits of the kinds of body that it is; see `filters`."""
     mask: Ints
@@ -224,7 +226,7 @@ class Pairs(NamedTuple):
     size: Floats
     """Reach of the smaller body (m), the scale of all tolerances."""
     state: Ints
-    """`FREE`, `RESTING` or `PASSING`."""
+    """`FREE`, `RESTING`, `PASSING` or `SENSING`."""
     normal_x: Floats
     """Unit normal from a to b of the resting contact; its tangent is this turned left."""
     normal_y: Floats
@@ -244,6 +246,16 @@ class Pairs(NamedTuple):
     """How far the two moved over each other since their points were found (m)."""
     apart: Floats
     """The surfaces of a free pair are at least so far apart when a part begins (m)."""
+    touched: Ints
+    """Number of the tick in which the two last touched, or began to rest; see `touches`."""
+    touched_before: Ints
+    """Number of the tick in which they had touched before."""
+    given_x: Floats
+    """Impulse that b was given in the tick `touched`, but for what `Contacts` holds (N s)."""
+    given_y: Floats
+    hit_x: Floats
+    """Where their last impact was (m, world)."""
+    hit_y: Floats
     struck: Floats
     """Time of the last impact since the present tick began (s), mostly negative."""
     meeting: Floats
@@ -340,6 +352,7 @@ class Counts(NamedTuple):
     contacts: Ints
     """Twice the number of pairs."""
     ignored: Ints
+    parted: Ints
 
 
 class State(NamedTuple):
@@ -399,6 +412,23 @@ class Ignored(NamedTuple):
     """Id of the joint that wants it so; 0: they were told to by hand."""
 
 
+class Parted(NamedTuple):
+    """One row a pair that was dropped from the list while, or just after, it touched."""
+
+    a: Ints
+    """Ids of bodies."""
+    b: Ints
+    touched: Ints
+    """As in `Pairs`."""
+    touched_before: Ints
+    given_x: Floats
+    given_y: Floats
+    hit_x: Floats
+    hit_y: Floats
+    normal_x: Floats
+    normal_y: Floats
+
+
 class Found(NamedTuple):
     """Pairs of pieces whose boxes overlap, as they are found; as many rows as `Pairs` has."""
 
@@ -443,6 +473,8 @@ class Progress(NamedTuple):
     """Number of pairs for which all tables have room."""
     wanted: Ints
     """Number of pairs for which they should."""
+    sensing: Ints
+    """Number of pairs with a sensor."""
     own_rules: Ints
     """1 if coefficients of pairs are made by Python."""
     recording: Ints
@@ -481,15 +513,16 @@ class Tables(NamedTuple):
     state: State
     fields: Fields
     ignored: Ignored
+    parted: Parted
     found: Found
     grid: Grid
     progress: Progress
     tracks: Tracks
 
 
-FREE, RESTING, PASSING = 0, 1, 2
+FREE, RESTING, PASSING, SENSING = 0, 1, 2, 3
 """States of a pair: they move on their own; they rest on each other; one comes through a one-sided
-wall from behind."""
+wall from behind; one of them is a sensor."""
 
 NEVER = 1e300
 """A time that does not come (s)."""
@@ -506,6 +539,7 @@ ROWS = {
     "contacts": 128,
     "links": 128,
     "found": 64,
+    "parted": 64,
     "grid": 64,
     "touch": 2,
     "impacts": IMPACTS_AT_ONCE,

@@ -39,6 +39,7 @@ def step(t: Tables, laws: Laws, dt: float) -> int:
     if progress.phase[0] == WAITING:
         act(t, laws, dt)
         progress.now[0] = 0.0
+        t.counts.parted[0] = 0
         progress.begun[0] = 0
         if has_run_away(t, dt):
             return LOST

@@ -17,8 +17,10 @@ from engine.resting import (
     hold,
     settle,
 )
+from engine.sensing import sense_at_end, sense_passing
 from engine.settings import EXPLICIT_EULER, SEMI_IMPLICIT_EULER
 from engine.tables import FREE, IMPACTS_AT_ONCE, NEVER, RESTING, Bodies, Tables
+from engine.touches import collect, take_back, touch
 
 DONE, CROWDED, ESCAPED = 0, 1, 2
 """Why `travel` returns: the tick is over; the table of impacts is full; a body left its box."""
@@ -91,6 +93,8 @@ def travel(
         held = hold(t, count, resting, now, part, substep) if resting > 0 else 0
         first = t.impacts.written[0]
         measure_ways(t, count, part)
+        if t.progress.sensing[0] > 0:
+            sense_passing(t, pair_count, part)
         queued = find_meetings(t, pair_count, part)
         status = DONE
         reached = part
@@ -98,11 +102,15 @@ def travel(
             status, reached = meet_all(t, queued, held, now, part, dt, substep, limit)
         advance_all(t.bodies, count, reached)
         if held > 0:
+            if reached < part:
+                take_back(t, held, 1.0 - reached / part)
             correct_arms(t, held, count, first, now, part, reached)
             relax(t, held, count, part)
         now = dt if reached >= part and part == dt - now else now + reached
         if status != DONE and now < dt:
             return status, now
+    if t.progress.sensing[0] > 0:
+        sense_at_end(t, pair_count)
     settled = 0
     for pair in range(pair_count):
         if t.pairs.state[pair] == RESTING:
@@ -161,13 +169,17 @@ def meet_in_order(
         pairs.meeting[pair] = NEVER
         a = pairs.a[pair]
         b = pairs.b[pair]
+        rested = pairs.state[pair] == RESTING
         if written[1] < 2 * limit:
             rests = strike(t, pair, now, time, substep, 0.0, written[1] >= limit)
         else:
             rests = True
+            touch(t, pair)
             if pairs.state[pair] != RESTING:
                 pairs.points[pair] = 0
             pairs.state[pair] = RESTING
+        if rested and not rests:
+            collect(t, pair, 1.0)
         written[1] += 1
         if rests and held == 0 and time < part:
             return DONE, time, queued

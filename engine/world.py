@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from engine import bulk, callbacks, portable, queries, validate
+from engine import bulk, callbacks, portable, queries, touching, validate
 from engine.asking import ask
 from engine.body import Body, OnCollision, OnMove
 from engine.bulk import Tracks
@@ -23,6 +23,7 @@ from engine.shapes import Shape
 from engine.snapshot import Snapshot
 from engine.store import Store
 from engine.tables import Bodies, Tables
+from engine.touching import Contact
 from engine.vector import Vector
 
 
@@ -120,6 +121,7 @@ class World:
         friction: float = 0.0,
         inertia: float | None = None,
         gravity_scale: float = 1.0,
+        sensor: bool = False,
         category: int = 1,
         mask: int = ALL,
         group: int = 0,
@@ -136,6 +138,9 @@ class World:
         Mass is 1 kg, the rest zero unless given; the moment of inertia follows from shape and mass.
         A wall takes none of mass, position, angle, velocity, spin, inertia.
 
+        A `sensor` acts on nothing and is acted upon by nothing that it meets: it notices what
+        overlaps it, see `contacts`.
+
         Two bodies pass through each other unless each is of a `category` (32 bits) that the
         other's `mask` names, and if both are of the same `group` other than 0.
         """
@@ -150,7 +155,7 @@ class World:
         }
         given |= {"spin": spin, "inertia": inertia}
         given |= {"restitution": restitution, "friction": friction}
-        given |= {"gravity_scale": gravity_scale}
+        given |= {"gravity_scale": gravity_scale, "sensor": sensor}
         given |= {"category": category, "mask": mask, "group": group}
         values = initial_values(shape, given)
         id = self.store.new_id("body")
@@ -220,6 +225,8 @@ class World:
         self, point: Any, mask: int = ALL, leave_out: Iterable[Body] = ()
     ) -> list[Body]:
         """Bodies that contain a point (m), in the order of ids; a wall contains what is on it.
+
+        Queries take bodies as they stand now; sensors are not in question.
 
         Args:
             point: of the world (m).
@@ -297,6 +304,16 @@ class World:
         if id not in self.store.rows:
             raise Removed(f"there is no body {id} in this world")
         return self.store.handles[self.store.rows[id]]
+
+    @property
+    def contacts(self) -> list[Contact]:
+        """What touched in the last tick, or did in the tick before, in the order of ids.
+
+        For each body, the impulses of its contacts and of the forces on it add up to the change of
+        its momentum in the tick (by the Euler methods, apart from their own error). Bodies that
+        were removed are not told of.
+        """
+        return touching.contacts(self.store)
 
     @property
     def tables(self) -> Tables:

@@ -1,0 +1,137 @@
+"""What touched what in the last tick, read from the tables as contacts of bodies."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from engine.body import Body
+from engine.store import Store
+from engine.tables import RESTING, SENSING
+from engine.touches import number_of_tick
+from engine.vector import Vector
+
+BEGIN, STAY, END = "begin", "stay", "end"
+
+
+@dataclass(frozen=True, slots=True)
+class Contact:
+    """Two bodies that touched in the last tick, or did in the tick before and no longer do.
+
+    They touch in a tick if an impact or a resting contact acts on them in it; a sensor and a body,
+    if they overlap when it is over, or came and went within it.
+    """
+
+    a: Body
+    b: Body
+    """The one that was added later."""
+    phase: str
+    """It is "begin", "stay" or "end"; a single bounce begins, and ends in the tick after."""
+    points: tuple[Vector, ...]
+    """Where they rest on each other, or the last impact was (m, world); none of a sensor, none at
+    the end."""
+    normal: Vector
+    """Unit vector from a to b at the first of the points; zero if there are none."""
+    impulse: Vector
+    """What b received in the tick (N s), impacts and resting contact together; a received its
+    exact opposite."""
+    sensor: bool
+    """Whether one of the two is a sensor."""
+
+
+class _Part(NamedTuple):
+    """What one pair of pieces has to say."""
+
+    now: bool
+    before: bool
+    points: tuple[Vector, ...]
+    normal: Vector
+    x: float
+    y: float
+
+
+def contacts(store: Store) -> list[Contact]:
+    """All contacts of the last tick, in the order of the ids of their bodies."""
+    parts: dict[tuple[int, int], list[_Part]] = {}
+    for a, b, part in [*_listed(store), *_parted(store)]:
+        parts.setdefault((a, b), []).append(part)
+    return [_joined(store, a, b, parts[a, b]) for a, b in sorted(parts)]
+
+
+def _joined(store: Store, a: int, b: int, parts: list[_Part]) -> Contact:
+    """Put together what the pieces of two bodies say."""
+    rows, bodies = (store.rows[a], store.rows[b]), store.tables.bodies
+    now, before = any(part.now for part in parts), any(part.before for part in parts)
+    where = [part for part in parts if part.now and part.points]
+    return Contact(
+        a=store.handles[rows[0]],
+        b=store.handles[rows[1]],
+        phase=(STAY if before else BEGIN) if now else END,
+        points=tuple(point for part in where for point in part.points),
+        normal=where[0].normal if where else Vector(0.0, 0.0),
+        impulse=Vector(sum(part.x for part in parts), sum(part.y for part in parts)),
+        sensor=any(bodies.sensor[row] == 1 for row in rows),
+    )
+
+
+def _listed(store: Store) -> Iterator[tuple[int, int, _Part]]:
+    """Of the pairs in the list, those that touch or did in the tick before, by ids."""
+    pairs, count, tick = store.tables.pairs, store.count("pairs"), _last_tick(store)
+    state = np.asarray(pairs.state)[:count]
+    touched = np.asarray(pairs.touched)[:count]
+    ids = store.tables.bodies.id
+    for pair in map(int, np.flatnonzero((state == RESTING) | (touched >= tick - 1))):
+        fresh = pairs.touched[pair] == tick
+        rests = pairs.state[pair] == RESTING
+        now = fresh or rests
+        before = pairs.touched_before[pair] == tick - 1 if fresh else True
+        x, y = (pairs.given_x[pair], pairs.given_y[pair]) if fresh else (0.0, 0.0)
+        normal = Vector(pairs.normal_x[pair], pairs.normal_y[pair])
+        points: tuple[Vector, ...] = ()
+        if rests and pairs.points[pair] > 0:
+            push, rub = _resting_impulse(store, pair)
+            x, y = x + push * normal.x - rub * normal.y, y + push * normal.y + rub * normal.x
+            points = _resting_points(store, pair)
+        elif now and pairs.state[pair] != SENSING:
+            points = (Vector(pairs.hit_x[pair], pairs.hit_y[pair]),)
+        yield ids[pairs.a[pair]], ids[pairs.b[pair]], _Part(now, before, points, normal, x, y)
+
+
+def _last_tick(store: Store) -> int:
+    """Number of the last tick, as in `touches`."""
+    return number_of_tick(store.tables) - 1
+
+
+def _resting_impulse(store: Store, pair: int) -> tuple[float, float]:
+    """What a resting pair was given in the last part of the tick, along normal and tangent."""
+    table: Any = store.tables.contacts
+    rows = range(2 * pair, 2 * pair + store.tables.pairs.points[pair])
+    return sum(table.normal_impulse[i] for i in rows), sum(table.tangent_impulse[i] for i in rows)
+
+
+def _resting_points(store: Store, pair: int) -> tuple[Vector, ...]:
+    """Where a resting pair touches (m, world)."""
+    t = store.tables
+    pairs, a = t.pairs, t.pairs.a[pair]
+    x, y, nx, ny = t.bodies.x[a], t.bodies.y[a], pairs.normal_x[pair], pairs.normal_y[pair]
+    return tuple(
+        Vector(
+            x + t.contacts.tangent_arm_a[i] * nx + t.contacts.normal_arm_a[i] * ny,
+            y + t.contacts.tangent_arm_a[i] * ny - t.contacts.normal_arm_a[i] * nx,
+        )
+        for i in range(2 * pair, 2 * pair + pairs.points[pair])
+    )
+
+
+def _parted(store: Store) -> Iterator[tuple[int, int, _Part]]:
+    """The same of pairs that were dropped from the list, if both bodies are still there."""
+    parted, tick = store.tables.parted, _last_tick(store)
+    for i in range(store.count("parted")):
+        a, b, now = parted.a[i], parted.b[i], parted.touched[i] == tick
+        if a in store.rows and b in store.rows:
+            before = parted.touched_before[i] == tick - 1 if now else True
+            hit = (Vector(parted.hit_x[i], parted.hit_y[i]),)
+            normal = Vector(parted.normal_x[i], parted.normal_y[i])
+            x, y = (parted.given_x[i], parted.given_y[i]) if now else (0.0, 0.0)
+            yield a, b, _Part(now, before, hit if normal != (0.0, 0.0) else (), normal, x, y)
