@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from app.frames import Film, Frame, Moment, Pixels
-from app.outputs.changes import Box, changed, whole
+from app.outputs.changes import Box, differences, whole
 from app.outputs.palette import SIZE, TRANSPARENT, Palette
 from app.outputs.titles import gif_comment
 from screens.kit import theme
@@ -61,17 +61,16 @@ class Gif:
         if frame.index % self._stride:
             return
         now, before = frame.pixels, self._seen
-        box = whole(now) if before is None else changed(before, now)
-        if box is None:
-            return
-        self._seen = now
         if before is None:
-            indices = self._palette(now)
+            box, indices = whole(now), self._palette(now)
         else:
-            new = now[box.slices]
-            differs = new != before[box.slices]
-            indices = np.full(new.shape, TRANSPARENT, np.uint8)
-            indices[differs] = self._palette(new[differs])
+            found = differences(before, now)
+            if found is None:
+                return
+            box, differs = found
+            indices = np.full(differs.shape, TRANSPARENT, np.uint8)
+            indices[differs] = self._palette(now[box.slices][differs])
+        self._seen = now
         time = self._time(frame.index)
         self._write_waiting(time)
         self._waiting = (box, self._squeeze(indices), time)
