@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from screens.kit.cache import Cache
-from screens.kit.raster import Box
 from screens.kit.theme import Color
 
 LARGEST = 200.0
@@ -20,10 +19,12 @@ LARGEST = 200.0
 FINE, FINEST = 128.0, 256.0
 """Entries of the table for each px^2 of squared distance, times the radius (px), and at most: an
 entry is 1/256 of a pixel at the edge."""
-TABLES = 1 << 20
-"""Bytes that the tables may take."""
+PHASES = 32
+"""To such parts of a pixel discs are placed."""
+TABLES, AXES = 1 << 20, 1 << 18
+"""Bytes that tables and axes may take."""
 OVERHEAD = 300
-"""Bytes that holding a table takes beyond its entries."""
+"""Bytes that holding a table or an axis takes beyond its numbers."""
 
 
 class Coat(NamedTuple):
@@ -41,40 +42,54 @@ class Coat(NamedTuple):
     """What shows through a pale area instead of what was drawn before."""
 
 
+class Axis(NamedTuple):
+    """The columns, or the rows, that a disc lies in."""
+
+    first: int
+    squares: NDArray[np.int64]
+    """Squared distance of each from the disc's middle, in entries of a table, rounded down."""
+
+    @property
+    def end(self) -> int:
+        """The first that lies behind it."""
+        return self.first + self.squares.size
+
+
 class Discs:
     """Makes sprites of discs; keeps the tables of those it made last."""
 
     def __init__(self) -> None:
         """Start with no table."""
         self._tables: Cache[NDArray[np.uint32]] = Cache(TABLES)
+        self._axes: Cache[Axis] = Cache(AXES)
 
-    def sprite(self, x: float, y: float, radius: float, coat: Coat, box: Box) -> NDArray[np.uint32]:
-        """The pixels of `box`, each 0xAARRGGBB, its colour not multiplied by its opacity.
+    def axis(self, middle: float, radius: float) -> Axis:
+        """Where a disc lies along one axis (px); its middle is rounded to 1/32 px."""
+        pixel = math.floor(middle)
+        phase = round((middle - pixel) * PHASES)
+        axis = self._axes.find((radius, phase))
+        if axis is None:
+            axis = _axis(phase / PHASES, radius)
+            self._axes.keep((radius, phase), axis, axis.squares.nbytes + OVERHEAD)
+        return Axis(pixel + axis.first, axis.squares)
 
-        The middle (x, y) and the radius are in px; no radius may exceed `LARGEST`.
+    def sprite(self, columns: Axis, rows: Axis, radius: float, coat: Coat) -> NDArray[np.uint32]:
+        """The pixels of a disc, each 0xAARRGGBB, its colour not multiplied by its opacity.
+
+        The radius is in px, at most `LARGEST`.
         """
         table = self._tables.find((radius, coat))
         if table is None:
             table = _table(radius, coat)
             self._tables.keep((radius, coat), table, table.nbytes + OVERHEAD)
-        left, top, right, bottom = box
-        steps = _steps(radius)
-        columns = _squares(left - x, right - left, steps)
-        rows = _squares(top - y, bottom - top, steps)
         # Whatever lies beyond the table gets its last entry, which is clear.
-        return table.take(rows[:, None] + columns, mode="clip")
+        return table.take(rows.squares[:, None] + columns.squares, mode="clip")
 
 
-def _squares(first: float, count: int, steps: float) -> NDArray[np.int64]:
-    """Squared distance of pixels' middles along one axis, in entries of a table, rounded down.
-
-    `first` is where the first pixel begins (px from the middle of the disc).
-    """
-    squares = np.arange(0.5, count)
-    squares += first
-    squares *= squares
-    squares *= steps
-    return squares.astype(np.int64)
+def _axis(middle: float, radius: float) -> Axis:
+    first, end = math.floor(middle - radius - 0.5), math.ceil(middle + radius + 0.5)
+    away = np.arange(first + 0.5, end) - middle
+    return Axis(first, (away * away * _steps(radius)).astype(np.int64))
 
 
 def _steps(radius: float) -> float:

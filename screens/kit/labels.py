@@ -32,6 +32,8 @@ class Labels:
         self.bounds = bounds
         self._taken = array("d")
         """Left, top, right and bottom of one rectangle after the other."""
+        self._circles: list[tuple[Point, float]] = []
+        self._lines: list[tuple[Point, Point, float]] = []
 
     def block(self, rect: Rect) -> None:
         """Keep labels off a rectangle."""
@@ -39,14 +41,28 @@ class Labels:
 
     def block_circle(self, center: Point, radius: float) -> None:
         """Keep labels off a disc: of the square around it all but the corners."""
-        x, y = center
-        near, far = 0.5 * radius, 0.9 * radius
-        self._taken.extend((x - near, y - radius, x + near, y + radius))
-        self._taken.extend((x - far, y - far, x + far, y + far))
-        self._taken.extend((x - radius, y - near, x + radius, y + near))
+        self._circles.append((center, radius))
 
     def block_line(self, a: Point, b: Point, width: float) -> None:
         """Keep labels off a thick line, as a row of rectangles along it."""
+        self._lines.append((a, b, width))
+
+    def _blocked(self) -> NDArray[Any]:
+        """Left, top, right and bottom of all that is blocked, shape (n, 4).
+
+        Circles and lines are turned into rectangles here: often no label asks for them.
+        """
+        for (x, y), radius in self._circles:
+            near, far = 0.5 * radius, 0.9 * radius
+            self._taken.extend((x - near, y - radius, x + near, y + radius))
+            self._taken.extend((x - far, y - far, x + far, y + far))
+            self._taken.extend((x - radius, y - near, x + radius, y + near))
+        for line in self._lines:
+            self._take_line(*line)
+        self._circles, self._lines = [], []
+        return np.frombuffer(self._taken).reshape(-1, 4)
+
+    def _take_line(self, a: Point, b: Point, width: float) -> None:
         dx, dy = b.x - a.x, b.y - a.y
         longest = max(abs(dx), abs(dy))
         if not longest < math.inf:
@@ -61,9 +77,8 @@ class Labels:
 
     def is_free(self, rect: Rect) -> bool:
         """Whether a label may stand there."""
-        taken = np.frombuffer(self._taken).reshape(-1, 4)
         corner = np.array([[rect.x, rect.y]])
-        return bool(self._free(corner, Size(rect.width, rect.height), taken)[0])
+        return bool(self._free(corner, Size(rect.width, rect.height), self._blocked())[0])
 
     def place(
         self, size: Size, anchor: Point, gap: float = 6, ahead: Point | None = None
@@ -95,7 +110,7 @@ class Labels:
         spots = self._pushed_inside(_spots(size, anchor, gap), size)
         left, top = spots.min(axis=0) - MARGIN
         right, bottom = spots.max(axis=0) + MARGIN + size
-        taken = np.frombuffer(self._taken).reshape(-1, 4)
+        taken = self._blocked()
         near = taken[
             (taken[:, 0] < right)
             & (taken[:, 1] < bottom)

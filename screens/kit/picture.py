@@ -3,7 +3,6 @@
 Both are kept, within bounds, and used again; of what fades only the masks.
 """
 
-import math
 from collections.abc import Callable, Hashable, Iterator
 from contextlib import contextmanager
 from typing import Final
@@ -132,15 +131,11 @@ class Picture:
 
     def disc(self, x: float, y: float, radius: float, coat: Coat) -> None:
         """Paint a disc given in pixels, whose radius is at most `discs.LARGEST`."""
-        box = Box(
-            math.floor(x - radius - 0.5),
-            math.floor(y - radius - 0.5),
-            math.ceil(x + radius + 0.5),
-            math.ceil(y + radius + 0.5),
-        )
-        if box.meet(self._clip).area:
-            sprite = _picture(self._discs.sprite(x, y, radius, coat, box))
-            self._ready().blit(sprite, (box.left, box.top))
+        columns, rows = self._discs.axis(x, radius), self._discs.axis(y, radius)
+        seen = Box(columns.first, rows.first, columns.end, rows.end).meet(self._clip)
+        if seen.area:
+            sprite = self._discs.sprite(columns, rows, radius, coat)
+            self._ready().blit(_picture(sprite), (columns.first, rows.first))
 
     def stamp(
         self,
