@@ -5,6 +5,7 @@ from engine.bulk import Tracks
 from engine.collision import Collision, Diverged, Removed
 from engine.force_laws import ActingLaw, PointGravity, SpringTo
 from engine.forces import Force, LinearDrag, Push, QuadraticDrag, Torque
+from engine.joints import Distance, Joint, Pin, Pulley, Rope, Slider, Spring, Weld
 from engine.queries import Hit, Nearest
 from engine.recording import Recording
 from engine.replay import Divergence, replay
@@ -38,26 +39,34 @@ __all__ = [
     "Compound",
     "Concave",
     "Contact",
+    "Distance",
     "Diverged",
     "Divergence",
     "Force",
     "Hit",
+    "Joint",
     "LinearDrag",
     "Nearest",
     "Particle",
+    "Pin",
     "PointGravity",
     "Polygon",
+    "Pulley",
     "Push",
     "QuadraticDrag",
     "Recording",
     "Removed",
+    "Rope",
     "Shape",
+    "Slider",
     "Snapshot",
+    "Spring",
     "SpringTo",
     "Torque",
     "Tracks",
     "Vector",
     "Wall",
+    "Weld",
     "World",
     "replay",
 ]

@@ -13,6 +13,13 @@ def poses(bodies: Iterable[Body]) -> list[tuple[Body, Vector, float]]:
     return [(body, body.position, body.angle) for body in bodies if body.on_move is not None]
 
 
+def call_broken(store: Store) -> None:
+    """Call `on_break` of the joints that broke in the last tick, in the order of their ids."""
+    for joint in store.take_broken():
+        if joint in store.joints and joint.on_break is not None:
+            joint.on_break(joint)
+
+
 def call(
     before: Iterable[tuple[Body, Vector, float]],
     collisions: Iterable[Collision],

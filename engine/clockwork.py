@@ -6,7 +6,7 @@ from engine.pair_rows import mix_by_rules
 from engine.settings import Laws, Rule, geometric_mean, larger
 from engine.store import Store
 from engine.tables import Tables
-from engine.tick import FULL, LOST, UNMIXED, WAITING
+from engine.tick import FULL, LOOSE, LOST, UNMIXED, WAITING
 from engine.travel import DONE
 
 BODY, PAIR = 15e-6, 40e-6
@@ -85,6 +85,8 @@ class Clockwork:
                 store.make_room_for_pairs(progress.wanted[0])
             elif status == UNMIXED:
                 mix_by_rules(store.tables, *rules)
+            elif status == LOOSE:
+                store.order_joints()
             elif status == LOST:
                 body = store.handles[progress.lost[0]]
                 raise Diverged(f"{body.name} left the range of numbers in tick {state.tick[0]}")

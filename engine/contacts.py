@@ -8,6 +8,9 @@ of the tick (or, when relaxing, at its end), so that angular momentum is kept to
 """
 
 from engine.following import follow, share_of_b
+from engine.linkage.impulses import add_up
+from engine.linkage.positions import bind, brace, follow_joints, keep_impulses
+from engine.linkage.velocities import ease, prepare_ease
 from engine.tables import RESTING, Tables
 
 CALM = 0.02
@@ -26,8 +29,14 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
             bodies.kick_x[row] = bodies.vx[row] + bodies.ax[row] * part
             bodies.kick_y[row] = bodies.vy[row] + bodies.ay[row] * part
             bodies.kick_spin[row] = bodies.spin[row] + bodies.aspin[row] * part
+    brace(t, part)
     warm_start(t, resting)
-    sweep_until_calm(t, resting)
+    for _ in range(MOST_SWEEPS):
+        wild = sweep(t, resting)
+        failed = bind(t, part)
+        if not wild and (resting == 0 or failed <= CALM):
+            break
+    keep_impulses(t)
     for row in range(count):
         if bodies.held[row] > 0:
             bodies.path_x[row] = (bodies.kick_x[row] - bodies.vx[row]) / part
@@ -35,8 +44,11 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
             bodies.path_spin[row] = (bodies.kick_spin[row] - bodies.spin[row]) / part
 
 
-def relax(t: Tables, resting: int, count: int, part: float) -> None:
-    """Take back, at the end of a part (s), the velocity that correcting overlaps has lent."""
+def relax(t: Tables, resting: int, count: int, part: float, done: float) -> None:
+    """Take back, at the end of a part (s), the velocity that correcting overlaps has lent.
+
+    `done` is the share of the part after which it ended.
+    """
     bodies = t.bodies
     for row in range(count):
         if bodies.held[row] > 0:
@@ -55,7 +67,13 @@ def relax(t: Tables, resting: int, count: int, part: float) -> None:
             stiffen(t, pair, part)
             t.pairs.resting[left] = pair
             left += 1
-    sweep_until_calm(t, left)
+    prepare_ease(t, part, done)
+    for _ in range(MOST_SWEEPS):
+        wild = sweep(t, left)
+        failed = ease(t)
+        if not wild and (left == 0 or failed <= CALM):
+            break
+    add_up(t)
     for row in range(count):
         if bodies.held[row] > 0:
             bodies.vx[row] = bodies.kick_x[row]
@@ -121,13 +139,6 @@ def warm_start(t: Tables, resting: int) -> None:
             kick_x[b] += bodies.inverse_mass[b] * x
             kick_y[b] += bodies.inverse_mass[b] * y
             kick_spin[b] += bodies.inverse_inertia[b] * turn_b
-
-
-def sweep_until_calm(t: Tables, resting: int) -> None:
-    """Solve all resting pairs one after the other, again while that changes much."""
-    for _ in range(MOST_SWEEPS):
-        if not sweep(t, resting):
-            return
 
 
 def sweep(t: Tables, resting: int) -> bool:
@@ -237,7 +248,8 @@ def correct_arms(
         part: its planned length (s).
         reached: after which it ended (s).
     """
-    if reached == part and t.impacts.written[0] == first:
+    joined = t.braces.sizes[0] > 0
+    if reached == part and t.impacts.written[0] == first and not joined:
         return
     shift_paths(t, count, first, now, part, reached)
     for k in range(resting):
@@ -255,6 +267,7 @@ def shift_paths(t: Tables, count: int, first: int, now: float, part: float, reac
         if bodies.held[row] > 0:
             bodies.shift_x[row] = (bodies.kick_x[row] - bodies.path_x[row] * part) * early
             bodies.shift_y[row] = (bodies.kick_y[row] - bodies.path_y[row] * part) * early
+    follow_joints(t, part)
     for i in range(first, impacts.written[0]):
         left = reached - (impacts.time[i] - now)
         if left > 0.0:

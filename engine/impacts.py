@@ -9,6 +9,7 @@ it comes second and never reverses the sliding, no impact gains energy.
 
 import math
 
+from engine.linkage.velocities import react
 from engine.manifolds.any_pair import touching_points
 from engine.meeting import STILL
 from engine.pose import advance, place
@@ -54,7 +55,10 @@ def strike(
     again = now + time - t.pairs.struck[pair] < shortest * AGAIN
     rests = plastic or stays(t, pair, restitution * speed, shortest, again)
     bounce = 1.0 if rests else 1.0 + restitution
-    exchange(t, pair, one, other, bounce, now + time)
+    if bodies.joined[a] == 1 or bodies.joined[b] == 1:
+        exchange_with_joints(t, pair, one, other, bounce, now, time)
+    else:
+        exchange(t, pair, one, other, bounce, now + time)
     t.pairs.struck[pair] = now + time
     t.pairs.apart[pair] = 0.0
     if rests and t.pairs.state[pair] != RESTING:
@@ -154,6 +158,46 @@ def exchange(t: Tables, pair: int, one: int, other: int, bounce: float, time: fl
     impulse_y = total * normal_y + along * normal_x
     note_impact(t, pair, x, y, impulse_x, impulse_y)
     report(t, pair, x, y, impulse_x, impulse_y, speed, time)
+
+
+def exchange_with_joints(
+    t: Tables, pair: int, one: int, other: int, bounce: float, now: float, time: float
+) -> None:
+    """Let the joints answer to an impact at the same instant, and make it whole.
+
+    Velocities are linear in the impulse: what the bodies, joints included, answer to the impulse
+    that free bodies would need says how much is lacking.
+    """
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    before = approach(t, pair, one)
+    old = velocities_of(bodies, a, b)
+    exchange(t, pair, one, other, bounce, now + time)
+    wanted = approach(t, pair, one)
+    react(t, a, b, time, old)
+    row = t.impacts.written[0] - 1
+    normal_x = t.touch.normal_x[0]
+    normal_y = t.touch.normal_y[0]
+    given = t.impacts.impulse_x[row] * normal_x + t.impacts.impulse_y[row] * normal_y
+    reached = approach(t, pair, one)
+    if before - reached > STILL:
+        more = given * (reached - wanted) / (before - reached)
+        old = velocities_of(bodies, a, b)
+        x = t.impacts.x[row]
+        y = t.impacts.y[row]
+        give(t, pair, x, y, more * normal_x, more * normal_y)
+        note_impact(t, pair, x, y, more * normal_x, more * normal_y)
+        react(t, a, b, time, old)
+        t.impacts.impulse_x[row] += more * normal_x
+        t.impacts.impulse_y[row] += more * normal_y
+
+
+def velocities_of(
+    bodies: Bodies, a: int, b: int
+) -> tuple[float, float, float, float, float, float]:
+    """Velocities and spins of two bodies (m/s, rad/s)."""
+    return bodies.vx[a], bodies.vy[a], bodies.spin[a], bodies.vx[b], bodies.vy[b], bodies.spin[b]
 
 
 def response(t: Tables, pair: int, x: float, y: float, along_x: float, along_y: float) -> float:

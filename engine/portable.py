@@ -14,11 +14,14 @@ from engine.body import Body
 from engine.filters import ALL
 from engine.force_laws import ActingLaw, PointGravity, SpringTo, checked_law
 from engine.forces import Force, LinearDrag, QuadraticDrag, Torque
+from engine.joints import KINDS as JOINTS
+from engine.joints import Joint
+from engine.linkage.modes import STRAINED
 from engine.plain import INFINITIES, Decoder, Functions, encode
 from engine.settings import INTEGRATORS, Laws, geometric_mean, larger
 from engine.shapes import Shape
 from engine.snapshot import Snapshot
-from engine.tables import Counts, Tables, allocate, arrays
+from engine.tables import Counts, Joints, Tables, allocate, arrays
 
 if TYPE_CHECKING:
     from engine.world import World
@@ -26,7 +29,16 @@ if TYPE_CHECKING:
 FORMAT = 1
 """Version of the data; other versions are refused."""
 
-KINDS = (*get_args(Shape), Force, Torque, LinearDrag, QuadraticDrag, PointGravity, SpringTo)
+KINDS = (
+    *get_args(Shape),
+    Force,
+    Torque,
+    LinearDrag,
+    QuadraticDrag,
+    PointGravity,
+    SpringTo,
+    *JOINTS,
+)
 """Dataclasses that may stand in saved data."""
 
 TABLES: dict[str, Any] = {
@@ -61,6 +73,10 @@ AT_MOST = {
     "bodies.mask": ALL,
     "pieces.one_sided": 1,
     "state.stale": 1,
+    "joints.kind": len(JOINTS) - 1,
+    "joints.motor": 1,
+    "joints.broken": 2,
+    "joints.mode": STRAINED,
 }
 """Largest value of columns that hold a choice or a small number."""
 
@@ -87,10 +103,21 @@ COUNTS = (
     "state.next_body",
     "state.next_push",
     "state.next_law",
+    "state.next_joint",
+    "joints.id",
+    "joints.a",
+    "joints.b",
 )
 """Columns of other whole numbers, none negative."""
 
-DERIVED = ("bodies.first_link", "bodies.links", "pairs.queue", "pairs.resting")
+DERIVED = (
+    "bodies.first_link",
+    "bodies.links",
+    "bodies.joined",
+    "pairs.queue",
+    "pairs.resting",
+    "state.loose",
+)
 """Columns that are made anew before they are read: they are not saved."""
 
 NOT_NEGATIVE = ("mass", "inverse_mass", "inertia", "inverse_inertia", "restitution", "friction")
@@ -158,7 +185,10 @@ def refill(world: "World", data: dict[str, Any], functions: Functions) -> None:
     acting = _force_laws(world, data["force_laws"], decode, handles)
     if acting and acting[-1].id >= tables["state"].next_law[0]:
         raise ValueError(f"next_law of a saved world must be beyond {acting[-1].id}")
-    world.restore(Snapshot(columns | {"counts": counts}, handles, acting))
+    joints = _joints(world, tables["joints"], handles)
+    if joints and joints[-1].id >= tables["state"].next_joint[0]:
+        raise ValueError(f"next_joint of a saved world must be beyond {joints[-1].id}")
+    world.restore(Snapshot(columns | {"counts": counts}, handles, acting, joints))
 
 
 def _ids(law: ActingLaw, world: "World") -> list[int] | None:
@@ -204,6 +234,20 @@ def _handle(world: "World", data: Any, decode: Decoder) -> Body:
     if not isinstance(name, str) or not isinstance(shape, Shape):
         raise TypeError(f"a saved body must have a name and a shape, not {name!r} and {shape!r}")
     return Body(world, _number("id", id, True), shape, name)
+
+
+def _joints(world: "World", table: Joints, handles: tuple[Body, ...]) -> tuple[Joint, ...]:
+    """The handles of the joints; refuse joints of bodies that are not there."""
+    body_of: dict[int, Body | None] = {0: None} | {body.id: body for body in handles}
+    joints = []
+    columns = [np.asarray(column) for column in (table.id, table.a, table.b, table.size)]
+    for id, a, b, size in zip(*columns, strict=True):
+        if a == b or a not in body_of or b not in body_of or not size > 0.0:
+            raise ValueError(f"joint {id} of a saved world must join two bodies that are there")
+        joints.append(Joint(world, int(id), body_of[int(a)], body_of[int(b)]))
+    if (np.diff(np.asarray(table.id)) <= 0).any():
+        raise ValueError("the joints of a saved world must stand in order, none twice")
+    return tuple(joints)
 
 
 def _force_laws(

@@ -85,11 +85,13 @@ def _do(world: World, entry: dict[str, Any], decode: Decoder, functions: Functio
 
 
 def _handle(world: World, kind: str, id: int) -> Any:
-    """The body, push or law that an input names."""
+    """The body, push, joint or law that an input names."""
     if kind == "Body":
         return world.body(id)
     if kind == "Push":
         return Push(world, id)
+    if kind == "Joint":
+        return world.joint(id)
     if kind == "ActingLaw" and id in world.store.acting:
         return world.store.acting[id]
     raise ValueError(f"no input acts on a {kind!r:.50} of id {id}")

@@ -62,8 +62,9 @@ def settle(t: Tables, count: int, pair_count: int, shortest: float) -> int:
 def count_holds(t: Tables, count: int, resting: int) -> None:
     """Count for each body the resting contacts that hold it."""
     held = t.bodies.held
+    joined = t.bodies.joined
     for row in range(count):
-        held[row] = 0
+        held[row] = joined[row]
     for k in range(resting):
         pair = t.pairs.resting[k]
         held[t.pairs.a[pair]] += 1
@@ -156,7 +157,7 @@ def hold(t: Tables, count: int, resting: int, now: float, part: float, substep: 
             t.bodies.path_x[row] = t.bodies.ax[row]
             t.bodies.path_y[row] = t.bodies.ay[row]
             t.bodies.path_spin[row] = t.bodies.aspin[row]
-    if resting > 0:
+    if resting > 0 or t.braces.sizes[0] > 0:
         kick(t, resting, count, part)
     return resting
 

@@ -10,6 +10,7 @@ import numpy as np
 from engine.body import Body
 from engine.filters import ALL
 from engine.force_laws import ActingLaw
+from engine.joints import Joint
 from engine.tables import Bodies, Pushes, arrays
 
 STATE = (
@@ -30,6 +31,7 @@ class Snapshot:
     """Copies of the columns of each table that a world remembers, cut to the rows in use."""
     handles: tuple[Body, ...]
     force_laws: tuple[ActingLaw, ...]
+    joints: tuple[Joint, ...]
 
 
 def digest(

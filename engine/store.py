@@ -1,5 +1,6 @@
 """Everything that varies in a world, in one place: its tables, and who holds which row."""
 
+from bisect import bisect_left
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,9 @@ from engine.collision import Removed
 from engine.enrol import corners_of, write_body
 from engine.filters import ignored_columns, ignored_keys, pair_keys
 from engine.force_laws import ActingLaw, field_columns, field_table
+from engine.joints import Joint
+from engine.linkage.order import put_in_order
+from engine.linkage.tally import BREAKING, BROKEN
 from engine.pair_rows import forget, resting_columns
 from engine.pairing import link
 from engine.shapes import Shape
@@ -34,7 +38,7 @@ class Store:
     saved and restored. The others are room for the kernels to write in.
     """
 
-    __slots__ = ("acting", "handles", "rows", "tables")
+    __slots__ = ("acting", "broken", "handles", "joints", "rows", "tables")
 
     def __init__(self) -> None:
         """Make an empty one."""
@@ -46,7 +50,12 @@ class Store:
         """Row of each body's id."""
         self.acting: dict[int, ActingLaw] = {}
         """The laws of force by their ids; `Fields` lists them by rows."""
+        self.joints: list[Joint] = []
+        """The joints in order of their rows, which is that of their ids."""
+        self.broken: list[Joint] = []
+        """Joints that broke and have not called back yet."""
         state = self.tables.state
+        state.next_joint[0] = 1
         state.next_body[0] = state.next_push[0] = state.next_law[0] = 1
 
     def count(self, table: str) -> int:
@@ -78,7 +87,7 @@ class Store:
         getattr(self.tables.counts, table)[0] = rows - number
 
     def new_id(self, kind: str) -> int:
-        """Hand out the next id of a "body", a "push" or a "law"; none is used twice."""
+        """Hand out the next id of a "body", "push", "law" or "joint"; none is used twice."""
         following = getattr(self.tables.state, f"next_{kind}")
         id: int = following[0]
         following[0] = id + 1
@@ -118,6 +127,11 @@ class Store:
     def remove_body(self, body: Body) -> None:
         """Take out a body with its corners, its pairs and all that pushes it."""
         row = self.row(body)
+        if self.joints:
+            self.loosen()
+        for joint in reversed(self.joints):
+            if body in (joint.a, joint.b):
+                self.remove_joint(joint)
         for i in reversed(range(self.count("pushes"))):
             if self.tables.pushes.row[i] == row:
                 self.drop("pushes", i)
@@ -150,6 +164,73 @@ class Store:
                 self.make_room(name, progress.room[0])
             for name in ("contacts", "links"):
                 self.make_room(name, 2 * progress.room[0])
+
+    # Joints.
+
+    def row_of_joint(self, joint: Joint) -> int:
+        """Row of a joint.
+
+        Raises:
+            Removed: (a LookupError) if it is not, or no longer, in this world.
+        """
+        if self.joint(joint.id) is not joint:
+            raise Removed(f"joint {joint.id} is not in this world")
+        return bisect_left(self.joints, joint.id, key=lambda each: each.id)
+
+    def joint(self, id: int) -> Joint:
+        """The joint with this id.
+
+        Raises:
+            Removed: (a LookupError) if there is none.
+        """
+        row = bisect_left(self.joints, id, key=lambda each: each.id)
+        if row == len(self.joints) or self.joints[row].id != id:
+            raise Removed(f"there is no joint {id} in this world")
+        return self.joints[row]
+
+    def add_joint(self, joint: Joint, values: dict[str, float], collide: bool) -> None:
+        """Write a new joint, the columns that were given for it, to a new row."""
+        columns = self.tables.joints._fields
+        self.append("joints", tuple(({"id": joint.id} | values).get(name, 0) for name in columns))
+        self.joints.append(joint)
+        if joint.a is not None and joint.b is not None and not collide:
+            self.ignore(joint.a, joint.b, joint.id)
+        self.loosen()
+
+    def remove_joint(self, joint: Joint) -> None:
+        """Take out a joint."""
+        row = self.row_of_joint(joint)
+        self._let_collide(joint)
+        self.drop("joints", row)
+        del self.joints[row]
+        self.loosen()
+
+    def loosen(self) -> None:
+        """Take note that joints came, went or changed."""
+        self.tables.state.loose[0] = self.tables.state.stale[0] = 1
+
+    def order_joints(self) -> None:
+        """Put the joints in order, if they changed."""
+        if self.tables.state.loose[0]:
+            broken = self.tables.joints.broken
+            for row, joint in enumerate(self.joints):
+                if broken[row] == BREAKING:
+                    broken[row] = BROKEN
+                    self._let_collide(joint)
+                    self.broken.append(joint)
+            self.tables = put_in_order(self.tables, len(self.joints), self.rows)
+            self.tables.state.loose[0] = 0
+
+    def take_broken(self) -> list[Joint]:
+        """The joints that broke since this was last asked."""
+        self.order_joints()
+        broken, self.broken = self.broken, []
+        return broken
+
+    def _let_collide(self, joint: Joint) -> None:
+        """Let the bodies of a joint touch each other again."""
+        if joint.a is not None and joint.b is not None:
+            self.heed(joint.a, joint.b, joint.id)
 
     # Pairs that pass through each other.
 
@@ -209,7 +290,9 @@ class Store:
             name: tuple(column[:rows].copy() for column in arrays(getattr(self.tables, name)))
             for name, rows in used.items()
         }
-        return Snapshot(columns, tuple(self.handles), tuple(self.acting.values()))
+        return Snapshot(
+            columns, tuple(self.handles), tuple(self.acting.values()), tuple(self.joints)
+        )
 
     def restore(self, snapshot: Snapshot) -> None:
         """Go back to what a snapshot holds."""
@@ -225,6 +308,8 @@ class Store:
         self.rows = {handle.id: i for i, handle in enumerate(self.handles)}
         self.acting = {law.id: law for law in snapshot.force_laws}
         self.list_fields()
+        self.joints = list(snapshot.joints)
+        self.tables.state.loose[0] = 1
 
     def digest(self) -> str:
         """Hash of the state (SHA-256, hexadecimal): equal for equal worlds on any machine."""
@@ -239,6 +324,7 @@ class Store:
                 *resting_columns(t, self.count("pairs")),
                 *field_columns(t.fields),
                 *ignored_columns(t),
+                *(column[: len(self.joints)] for column in arrays(t.joints) if self.joints),
             ],
         )
 

@@ -14,9 +14,9 @@ from engine.travel import CROWDED, DONE, ESCAPED, begin, end, runaway, travel
 WAITING, PAIRING, MOVING = 0, 1, 2
 """Phases: between two ticks; pairs are to be found; bodies move."""
 
-FULL, UNMIXED, LOST = 10, 11, 12
+FULL, UNMIXED, LOST, LOOSE = 10, 11, 12, 13
 """Why `run` returns, besides `DONE` and `CROWDED`: there are more pairs than room; coefficients of
-pairs are asked for; a body left the range of numbers."""
+pairs are asked for; a body left the range of numbers; joints are to be put in order."""
 
 SOUND = -1
 """No body has run away."""
@@ -37,6 +37,8 @@ def step(t: Tables, laws: Laws, dt: float) -> int:
     """Take one tick, or what is left of it; return `DONE` or what only Python can do."""
     progress = t.progress
     if progress.phase[0] == WAITING:
+        if t.state.loose[0] == 1:
+            return LOOSE
         act(t, laws, dt)
         progress.now[0] = 0.0
         t.counts.parted[0] = 0

@@ -7,6 +7,8 @@ of pairs holds.
 
 from engine.contacts import correct_arms, relax
 from engine.impacts import strike
+from engine.linkage.tally import clear_sums, mean_forces, part_for_joints
+from engine.linkage.velocities import changed
 from engine.meeting import approach_at, find_meeting, find_meetings, measure_ways
 from engine.pose import advance_all
 from engine.resting import (
@@ -35,6 +37,7 @@ TOGETHER = 1e-12
 def begin(t: Tables, count: int, pair_count: int, shortest: float) -> None:
     """Start a tick: find what rests; let the others move with their integrator's lead."""
     bodies = t.bodies
+    clear_sums(t)
     for row in range(count):
         bodies.clock[row] = 0.0
     settle(t, count, pair_count, shortest)
@@ -59,6 +62,7 @@ def end(t: Tables, count: int, pair_count: int, integrator: int, dt: float) -> N
     bodies = t.bodies
     for pair in range(pair_count):
         t.pairs.struck[pair] -= dt
+    mean_forces(t, dt)
     lead = 0.0
     if integrator == SEMI_IMPLICIT_EULER:
         lead = dt / 2.0
@@ -87,10 +91,15 @@ def travel(
     """
     while now < dt:
         resting = settle(t, count, pair_count, substep)
+        joined = t.braces.sizes[0]
         part = dt - now
-        if resting > 0 and substep < part * (1.0 - 1e-9):
-            part = substep
-        held = hold(t, count, resting, now, part, substep) if resting > 0 else 0
+        if resting > 0 or joined > 0:
+            shortest = part_for_joints(t, substep)
+            if shortest < part * (1.0 - 1e-9):
+                part = shortest
+        held = 0
+        if resting > 0 or joined > 0:
+            held = hold(t, count, resting, now, part, substep)
         first = t.impacts.written[0]
         measure_ways(t, count, part)
         if t.progress.sensing[0] > 0:
@@ -99,13 +108,13 @@ def travel(
         status = DONE
         reached = part
         if queued > 0:
-            status, reached = meet_all(t, queued, held, now, part, dt, substep, limit)
+            status, reached = meet_all(t, queued, held + joined, now, part, dt, substep, limit)
         advance_all(t.bodies, count, reached)
-        if held > 0:
+        if held > 0 or joined > 0:
             if reached < part:
                 take_back(t, held, 1.0 - reached / part)
             correct_arms(t, held, count, first, now, part, reached)
-            relax(t, held, count, part)
+            relax(t, held, count, part, reached / part)
         now = dt if reached >= part and part == dt - now else now + reached
         if status != DONE and now < dt:
             return status, now
@@ -183,6 +192,8 @@ def meet_in_order(
         written[1] += 1
         if rests and held == 0 and time < part:
             return DONE, time, queued
+        if t.bodies.joined[a] == 1 or t.bodies.joined[b] == 1:
+            queued = look_at_joined(t, time, part, queued, written[1] < 2 * limit)
         left = dt - now - time
         if has_escaped(t, a, left) or has_escaped(t, b, left):
             escaped = True
@@ -246,6 +257,14 @@ def look_again(t: Tables, row: int, time: float, part: float, queued: int, stric
         queued = enqueue(t, pair, queued)
         if pairs.queued[pair] == 1 and pairs.meeting[pair] == NEVER:
             queued = dequeue(t, pair, queued)
+    return queued
+
+
+def look_at_joined(t: Tables, time: float, part: float, queued: int, strict: bool) -> int:
+    """Find anew, after an impact at `time` (s), when what the joints moved meets others."""
+    for node in range(1, t.braces.sizes[1]):
+        if changed(t, node):
+            queued = look_again(t, t.nodes.body[node], time, part, queued, strict)
     return queued
 
 

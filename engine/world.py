@@ -15,6 +15,7 @@ from engine.filters import ALL
 from engine.force_laws import ActingLaw, Law, checked_bodies, checked_law, energy_in_fields
 from engine.forces import Drag, Push
 from engine.inputs import noted
+from engine.joints import Joint, OnBreak, Spec, joint_columns
 from engine.plain import Functions
 from engine.queries import Choice, Hit, Nearest
 from engine.recording import Recording
@@ -75,6 +76,7 @@ class World:
         collisions = self._clockwork.advance(self.laws, self._rules, dt)
         self._note(dt)
         callbacks.call(poses, collisions, self.store)
+        callbacks.call_broken(self.store)
         return collisions
 
     def run(
@@ -198,6 +200,51 @@ class World:
             self.row(body)
         if a is b:
             raise ValueError(f"it takes two bodies, not {a.name} twice")
+
+    @noted
+    def join(
+        self,
+        a: Body | None,
+        b: Body | None,
+        joint: Spec,
+        *,
+        collide: bool = False,
+        break_force: float | None = None,
+        break_torque: float | None = None,
+        on_break: OnBreak | None = None,
+    ) -> Joint:
+        """Join two bodies, or a body and a fixed point of the world (None); return the joint.
+
+        Args:
+            a: one body.
+            b: the other; `Joint.force` is what it feels.
+            joint: a `Distance`, `Rope`, `Spring`, `Pin`, `Weld`, `Slider` or `Pulley`.
+            collide: whether the two may touch each other.
+            break_force: mean force over a tick (N) beyond which it breaks; None: never.
+            break_torque: the same for the torque (N m).
+            on_break: called with the joint after the step in which it broke.
+        """
+        for body in (a, b):
+            if body is not None:
+                self.row(body)
+        values = joint_columns(a, b, joint, break_force, break_torque)
+        handle = Joint(self, self.store.new_id("joint"), a, b)
+        handle.on_break = on_break
+        self.store.add_joint(handle, values, validate.truth(collide, "collide"))
+        return handle
+
+    def joint(self, id: int) -> Joint:
+        """The joint with this id.
+
+        Raises:
+            Removed: (a LookupError) if there is none.
+        """
+        return self.store.joint(id)
+
+    @property
+    def joints(self) -> tuple[Joint, ...]:
+        """The joints, broken ones too, in the order in which they were made."""
+        return tuple(self.store.joints)
 
     @noted
     def add_law(self, law: Law, bodies: Iterable[Body] | None = None) -> ActingLaw:

@@ -103,6 +103,7 @@ def test_every_table_and_column_of_the_world_is_saved() -> None:
     # Empty between steps, or made from others.
     passing = {"links", "touch", "impacts", "counts", "fields"}
     passing |= {"found", "grid", "progress", "tracks"}
+    passing |= {"braces", "nodes", "equations", "arms", "couplings", "profile"}
     assert set(saved) | passing == {*world.tables._fields}
     known = {*ROWS_OF, *AT_MOST, *COUNTS, *DERIVED}
     for name, kind in TABLES.items():

@@ -15,6 +15,7 @@ from engine import (
     Circle,
     Divergence,
     Force,
+    Joint,
     Polygon,
     Push,
     Recording,
@@ -28,11 +29,12 @@ from engine.inputs import is_input
 READS = {
     World: {
         "step", "run", "state", "record", "snapshot", "to_dict", "from_dict", "digest", "body",
-        "row", "is_acting", "ignores",
+        "row", "is_acting", "ignores", "joint",
         "query_point", "query_box", "cast_ray", "cast_ray_through", "cast_shape", "nearest",
     },
     Body: {"to_world", "to_local"},
     Push: set(),
+    Joint: set(),
 }  # fmt: skip
 """Public methods that are no inputs: they change nothing, or are steps."""
 

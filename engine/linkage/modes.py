@@ -1,0 +1,90 @@
+"""What the coordinate of a joint does: it is fixed, elastic, free, at a limit, or driven.
+
+The coordinate is the angle of a pin, the travel of a slider, the length of a line or a string. A
+limit only pushes back, and a motor only as strongly as it can: which of them act is found by
+solving, taking back what pulls or overstrains, and solving again (an active set).
+"""
+
+from engine.linkage.geometry import LINE, STRING
+from engine.tables import Tables
+
+FREE_WAY, FIXED, ELASTIC, AT_LOW, AT_HIGH, DRIVEN, STRAINED = 0, 1, 2, 3, 4, 5, 6
+"""Modes; a strained motor does all it can and fails to keep its speed."""
+
+TIGHT = 1e-9
+"""Constraints hold to this share of the smaller body's reach (angles: rad)."""
+
+
+def coordinate_row(t: Tables, brace: int) -> int:
+    """The row of a joint's coordinate; -1 if it is free and has none."""
+    shape = t.braces.shape[brace]
+    if shape in (LINE, STRING):
+        return t.braces.first[brace]
+    return t.braces.first[brace] + 2 if t.braces.rows[brace] == 3 else -1
+
+
+def first_mode(t: Tables, joint: int) -> int:
+    """What the coordinate does at the start of a part, judging by the part before."""
+    joints = t.joints
+    if joints.stiffness[joint] > 0.0 or joints.damping[joint] > 0.0:
+        return ELASTIC
+    if joints.low[joint] == joints.high[joint]:
+        return FIXED
+    mode = joints.mode[joint]
+    driven = joints.motor[joint] == 1
+    if mode == AT_HIGH and not (driven and joints.speed[joint] < 0.0):
+        return AT_HIGH
+    if mode == AT_LOW and not (driven and joints.speed[joint] > 0.0):
+        return AT_LOW
+    if driven:
+        return STRAINED if mode == STRAINED else DRIVEN
+    return FREE_WAY
+
+
+def next_mode(t: Tables, joint: int, row: int, part: float, slack: float) -> int:
+    """What the coordinate does, as far as it got by the impulses so far."""
+    joints = t.joints
+    mode = joints.mode[joint]
+    if mode != FREE_WAY and mode != DRIVEN and mode != STRAINED:
+        return mode
+    value = t.equations.value[row]
+    if value > joints.high[joint] + slack:
+        return AT_HIGH
+    if value < joints.low[joint] - slack:
+        return AT_LOW
+    if mode == STRAINED:
+        ahead = value - t.equations.start[row] - joints.speed[joint] * part
+        impulse = t.equations.impulse[row]
+        if (impulse > 0.0 and ahead > slack) or (impulse < 0.0 and ahead < -slack):
+            return DRIVEN
+    return mode
+
+
+def miss_of_mode(t: Tables, joint: int, row: int, part: float) -> float:
+    """By how much the coordinate misses its goal at the end of the part (m or rad)."""
+    joints = t.joints
+    mode = joints.mode[joint]
+    value = t.equations.value[row]
+    if mode == AT_HIGH:
+        return value - joints.high[joint]
+    if mode == DRIVEN:
+        return value - t.equations.start[row] - joints.speed[joint] * part
+    return value - joints.low[joint]
+
+
+def bounds(t: Tables, joint: int, effort: float) -> tuple[float, float]:
+    """Least and greatest impulse of the coordinate; `effort` is the most that its motor gives."""
+    mode = t.joints.mode[joint]
+    motor = effort if t.joints.motor[joint] == 1 else 0.0
+    if mode == AT_HIGH:
+        return -1e300, motor
+    if mode == AT_LOW:
+        return -motor, 1e300
+    if mode in (DRIVEN, STRAINED):
+        return -motor, motor
+    return -1e300, 1e300
+
+
+def overstrained(t: Tables, joint: int) -> int:
+    """What the coordinate does once its impulse reached a bound."""
+    return STRAINED if t.joints.motor[joint] == 1 else FREE_WAY

@@ -1,0 +1,162 @@
+"""The order in which joints are eliminated, and the tables that follow from it.
+
+Joints that share a movable body meet in an entry of the system matrix. They are numbered from one
+end of each group to the other, reversed (Cuthill and McKee, "Reducing the bandwidth of sparse
+symmetric matrices", 1969): a chain has the profile of a band of two joints.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from engine.linkage.geometry import LINE, POINT, SLIDE, STRING
+from engine.tables import (
+    Arms,
+    Braces,
+    Couplings,
+    Equations,
+    Nodes,
+    Profile,
+    Tables,
+    allocate,
+    views,
+)
+
+SHAPES = (LINE, LINE, LINE, POINT, POINT, SLIDE, STRING)
+"""Of each kind in `joints.KINDS`: distance, rope, spring, pin, weld, slider, pulley."""
+
+
+class Brace(NamedTuple):
+    """A joint that acts."""
+
+    joint: int
+    shape: int
+    rows: int
+    a: int
+    """Row of the body, -1 for the world."""
+    b: int
+
+
+def put_in_order(t: Tables, joints: int, row_of: dict[int, int]) -> Tables:
+    """Make the tables of the braces anew.
+
+    Args:
+        t: the tables.
+        joints: rows in use of `Joints`.
+        row_of: row of each body by its id.
+    """
+    acting = [_brace(t, joint, row_of) for joint in range(joints) if t.joints.broken[joint] == 0]
+    inverse_mass = t.bodies.inverse_mass
+    joined: dict[int, list[int]] = {}
+    for number, brace in enumerate(acting):
+        for body in {brace.a, brace.b} - {-1}:
+            if inverse_mass[body] > 0.0:
+                joined.setdefault(body, []).append(number)
+    order = _elimination(acting, joined)
+    fixed = {body for brace in acting for body in (brace.a, brace.b)} - {-1}
+    node_of = {-1: 0} | {body: node + 1 for node, body in enumerate(sorted(fixed))}
+    np.asarray(t.bodies.joined)[:] = 0
+    for body in joined:
+        t.bodies.joined[body] = 1
+    return _filled(t, [acting[number] for number in order], node_of, set(joined))
+
+
+def _brace(t: Tables, joint: int, row_of: dict[int, int]) -> Brace:
+    shape = SHAPES[t.joints.kind[joint]]
+    bounded = t.joints.low[joint] > -np.inf or t.joints.high[joint] < np.inf
+    rows = 3 if bounded or t.joints.motor[joint] else 2
+    a, b = (row_of[id] if id else -1 for id in (t.joints.a[joint], t.joints.b[joint]))
+    return Brace(joint, shape, 1 if shape in (LINE, STRING) else rows, a, b)
+
+
+def _elimination(braces: list[Brace], joined: dict[int, list[int]]) -> list[int]:
+    """Numbers of the braces, in the order of elimination."""
+    order: list[int] = []
+    seen: set[int] = set()
+    for number in range(len(braces)):
+        if number not in seen:
+            far_end = _walk(number, braces, joined)[-1]
+            group = _walk(far_end, braces, joined)
+            seen.update(group)
+            order += group[::-1]
+    return order
+
+
+def _walk(start: int, braces: list[Brace], joined: dict[int, list[int]]) -> list[int]:
+    """The braces connected with one of them, the nearest first."""
+    found, seen, passed = [start], {start}, set()
+    for number in found:
+        for body in (braces[number].a, braces[number].b):
+            if body in joined and body not in passed:
+                passed.add(body)
+                new = [other for other in joined[body] if other not in seen]
+                found += new
+                seen.update(new)
+    return found
+
+
+def _filled(t: Tables, order: list[Brace], node_of: dict[int, int], movable: set[int]) -> Tables:
+    """Fill the tables for braces in the order of elimination."""
+    starts = np.concatenate(([0], np.cumsum([brace.rows for brace in order], dtype=np.int64)))
+    equations, entries = _profile(order, starts, movable)
+    couplings = _couplings(order, starts, np.asarray(equations.base), movable)
+    rows = int(starts[-1])
+    arms, nodes = allocate(Arms, max(2, 2 * rows)), allocate(Nodes, len(node_of))
+    for k, brace in enumerate(order):
+        for row in range(starts[k], starts[k + 1]):
+            arms.node[2 * row], arms.node[2 * row + 1] = node_of[brace.a], node_of[brace.b]
+    for body, node in node_of.items():
+        nodes.body[node] = max(body, 0)
+    nodes.cos[0] = 1.0
+    braces = allocate(Braces, max(5, len(order)))
+    for k, brace in enumerate(order):
+        braces.joint[k], braces.shape[k] = brace.joint, brace.shape
+        braces.node_a[k], braces.node_b[k] = node_of[brace.a], node_of[brace.b]
+        braces.first[k], braces.rows[k] = int(starts[k]), brace.rows
+    sizes = (len(order), len(node_of), rows, len(couplings), entries)
+    np.asarray(braces.sizes)[:5] = sizes
+    table = allocate(Couplings, max(1, len(couplings)))
+    for k, (at, left, right) in enumerate(couplings):
+        table.at[k], table.left[k], table.right[k] = at, left, right
+    return t._replace(
+        braces=views(braces),
+        nodes=views(nodes),
+        equations=views(equations),
+        arms=views(arms),
+        couplings=views(table),
+        profile=views(allocate(Profile, max(1, entries))),
+    )
+
+
+def _profile(order: list[Brace], starts: Any, movable: set[int]) -> tuple[Equations, int]:
+    """First column and place of each row; and the number of entries in all."""
+    equations = allocate(Equations, max(1, int(starts[-1])))
+    first_of: dict[int, int] = {}
+    entries = 0
+    for k, brace in enumerate(order):
+        bodies = [body for body in (brace.a, brace.b) if body in movable]
+        first = min([int(starts[k])] + [first_of[body] for body in bodies if body in first_of])
+        for row in range(starts[k], starts[k + 1]):
+            equations.first[row], equations.base[row] = first, entries - first
+            entries += row - first + 1
+        for body in bodies:
+            first_of.setdefault(body, int(starts[k]))
+    return equations, entries
+
+
+def _couplings(
+    order: list[Brace], starts: Any, base: Any, movable: set[int]
+) -> list[tuple[int, int, int]]:
+    """Which products of Jacobians add to which entry, in the order of the rows."""
+    found: list[tuple[int, int, int]] = []
+    on: dict[int, list[tuple[int, int]]] = {}
+    for k, brace in enumerate(order):
+        for side, body in enumerate((brace.a, brace.b)):
+            if body in movable:
+                on.setdefault(body, []).append((k, side))
+                for row in range(starts[k], starts[k + 1]):
+                    for other, other_side in on[body]:
+                        for column in range(starts[other], min(starts[other + 1], row + 1)):
+                            at = int(base[row]) + column
+                            found.append((at, 2 * row + side, 2 * column + other_side))
+    return found

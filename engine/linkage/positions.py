@@ -1,0 +1,246 @@
+"""Joints at the start of a part: the impulses for which the constraints hold at its end.
+
+In each part joints exert two impulses on the bodies: one at its start, such that the constraints
+hold where the bodies are at its end (here), one at its end, such that the velocities obey them too
+(`velocities`). Between the two, bodies move as if they were free. This is RATTLE (Andersen, J.
+Comput. Phys. 52, 1983): symmetric, symplectic, of second order; energy swings within bounds and
+does not drift. The equations are solved by Newton's method with the matrix of the start of the part
+(`skyline`), beginning with the impulses of the part before.
+"""
+
+from engine.linkage.geometry import aim, measure, place_nodes
+from engine.linkage.impulses import add_up, lend, note_impulses, solve_for, take
+from engine.linkage.modes import (
+    ELASTIC,
+    FREE_WAY,
+    TIGHT,
+    bounds,
+    coordinate_row,
+    first_mode,
+    miss_of_mode,
+    next_mode,
+)
+from engine.linkage.skyline import assemble, factorise, solve
+from engine.linkage.springs import miss, tune
+from engine.tables import Tables
+
+MOST_STEPS = 40
+"""Steps of Newton's method that a part has at most."""
+
+MOST_CHANGES = 12
+"""How often limits and motors may change their minds in a part. A limit begins, and a strained
+motor ends, only where everything else is solved; else they would chase each other."""
+
+
+def brace(t: Tables, part: float) -> None:
+    """Prepare the joints for a part (s); let the impulses of the part before act."""
+    if t.braces.sizes[0] == 0:
+        return
+    for node in range(t.braces.sizes[1]):
+        t.nodes.sum_x[node] = 0.0
+        t.nodes.sum_y[node] = 0.0
+    gather_means(t)
+    place_nodes(t, 0.0)
+    aim(t)
+    measure(t)
+    warm_start(t, part)
+    renew(t, part)
+    for row in range(t.braces.sizes[2]):
+        lend(t, row, t.equations.impulse[row])
+    deliver(t)
+
+
+def bind(t: Tables, part: float) -> float:
+    """Make the constraints hold at the end of the part; return how fast they failed it before.
+
+    That speed is in reaches of the smaller body a second (1/s).
+    """
+    if t.braces.sizes[0] == 0:
+        return 0.0
+    gather_means(t)
+    failed = 0.0
+    before = 0.0
+    changes = 0
+    fresh = True
+    for step in range(MOST_STEPS):
+        place_nodes(t, part)
+        measure(t)
+        worst = find_misses(t, part)
+        if step == 0 or worst <= TIGHT:
+            if changes < MOST_CHANGES and choose_modes(t, part):
+                renew(t, part)
+                worst = find_misses(t, part)
+                changes += 1
+                fresh = True
+            elif worst <= TIGHT:
+                break
+        if step == 0:
+            failed = worst / part
+        if worst > before and not fresh:
+            step_back(t)
+            continue
+        before = worst
+        solve(t)
+        fresh = take(t, 0.5, False, changes < MOST_CHANGES)
+        if fresh:
+            renew(t, part)
+            changes += 1
+    deliver(t)
+    return failed
+
+
+def step_back(t: Tables) -> None:
+    """Take half of the last step back, as it led further away."""
+    equations = t.equations
+    for row in range(t.braces.sizes[2]):
+        half = equations.change[row] / 2.0
+        equations.change[row] = half
+        equations.impulse[row] -= half
+        lend(t, row, -half)
+
+
+def keep_impulses(t: Tables) -> None:
+    """Note what the joints exert at the start of the part, once that is settled."""
+    note_impulses(t)
+    add_up(t)
+
+
+def gather_means(t: Tables) -> None:
+    """Read the mean velocities over the part; what joints lend is nothing yet."""
+    nodes = t.nodes
+    bodies = t.bodies
+    for node in range(1, t.braces.sizes[1]):
+        row = nodes.body[node]
+        nodes.inverse_mass[node] = bodies.inverse_mass[row]
+        nodes.inverse_inertia[node] = bodies.inverse_inertia[row]
+        if bodies.inverse_mass[row] > 0.0:
+            nodes.vx[node] = (bodies.vx[row] + bodies.kick_x[row]) / 2.0
+            nodes.vy[node] = (bodies.vy[row] + bodies.kick_y[row]) / 2.0
+            nodes.spin[node] = (bodies.spin[row] + bodies.kick_spin[row]) / 2.0
+        else:
+            nodes.vx[node] = bodies.vx[row]
+            nodes.vy[node] = bodies.vy[row]
+            nodes.spin[node] = bodies.spin[row]
+        nodes.lent_x[node] = 0.0
+        nodes.lent_y[node] = 0.0
+        nodes.lent_spin[node] = 0.0
+
+
+def deliver(t: Tables) -> None:
+    """Give what joints lent to the bodies, from the start of the part on."""
+    nodes = t.nodes
+    bodies = t.bodies
+    for node in range(1, t.braces.sizes[1]):
+        row = nodes.body[node]
+        bodies.vx[row] += nodes.lent_x[node]
+        bodies.vy[row] += nodes.lent_y[node]
+        bodies.spin[row] += nodes.lent_spin[node]
+        bodies.kick_x[row] += nodes.lent_x[node]
+        bodies.kick_y[row] += nodes.lent_y[node]
+        bodies.kick_spin[row] += nodes.lent_spin[node]
+        nodes.sum_x[node] += nodes.lent_x[node]
+        nodes.sum_y[node] += nodes.lent_y[node]
+
+
+def follow_joints(t: Tables, part: float) -> None:
+    """Add to `shift` by how much joints moved the middle of the planned paths of a part (s)."""
+    nodes = t.nodes
+    bodies = t.bodies
+    for node in range(1, t.braces.sizes[1]):
+        row = nodes.body[node]
+        bodies.shift_x[row] += nodes.sum_x[node] * part / 2.0
+        bodies.shift_y[row] += nodes.sum_y[node] * part / 2.0
+
+
+def warm_start(t: Tables, part: float) -> None:
+    """Set modes, and impulses as they were in the part before; note where coordinates start."""
+    joints = t.joints
+    equations = t.equations
+    for brace in range(t.braces.sizes[0]):
+        joint = t.braces.joint[brace]
+        share = part / joints.part[joint] if joints.part[joint] > 0.0 else 0.0
+        if share > 1.0:
+            share = 1.0
+        joints.part[joint] = part
+        first = t.braces.first[brace]
+        rows = t.braces.rows[brace]
+        equations.impulse[first] = joints.impulse_0[joint] * share
+        if rows > 1:
+            equations.impulse[first + 1] = joints.impulse_1[joint] * share
+        if rows > 2:
+            equations.impulse[first + 2] = joints.impulse_2[joint] * share
+        for row in range(first, first + rows):
+            equations.start[row] = equations.value[row]
+            equations.solved[row] = 1
+            equations.soft[row] = 0.0
+        row = coordinate_row(t, brace)
+        if row >= 0:
+            joints.mode[joint] = first_mode(t, joint)
+            least, most = bounds(t, joint, joints.effort[joint] * part / 2.0)
+            if joints.mode[joint] == FREE_WAY:
+                equations.impulse[row] = 0.0
+            elif equations.impulse[row] < least:
+                equations.impulse[row] = least
+            elif equations.impulse[row] > most:
+                equations.impulse[row] = most
+
+
+def renew(t: Tables, part: float) -> None:
+    """Factorise the system for the present modes."""
+    assemble(t)
+    solve_for(t)
+    for brace in range(t.braces.sizes[0]):
+        row = coordinate_row(t, brace)
+        if row >= 0:
+            joint = t.braces.joint[brace]
+            if t.joints.mode[joint] == ELASTIC:
+                tune(t, row, joint, part)
+    factorise(t)
+
+
+def choose_modes(t: Tables, part: float) -> bool:
+    """Choose modes by where the bodies would go; return whether one changed."""
+    changed = False
+    for brace in range(t.braces.sizes[0]):
+        row = coordinate_row(t, brace)
+        if row >= 0:
+            joint = t.braces.joint[brace]
+            mode = next_mode(t, joint, row, part, TIGHT * scale_of(t, row, joint))
+            if mode != t.joints.mode[joint]:
+                t.joints.mode[joint] = mode
+                changed = True
+    return changed
+
+
+def scale_of(t: Tables, row: int, joint: int) -> float:
+    """Unit of the tolerances of a row: the joint's size (m), or 1 rad."""
+    arms = t.arms
+    arm = 2 * row + 1
+    if arms.x[arm] == 0.0 and arms.y[arm] == 0.0:
+        return 1.0
+    return t.joints.size[joint]
+
+
+def find_misses(t: Tables, part: float) -> float:
+    """Write right-hand sides; return by how much a row misses its goal at most, in its unit."""
+    equations = t.equations
+    worst = 0.0
+    for brace in range(t.braces.sizes[0]):
+        joint = t.braces.joint[brace]
+        coordinate = coordinate_row(t, brace)
+        first = t.braces.first[brace]
+        for row in range(first, first + t.braces.rows[brace]):
+            missed = equations.value[row]
+            if row == coordinate:
+                if t.joints.mode[joint] != ELASTIC:
+                    missed = miss_of_mode(t, joint, row, part)
+                elif equations.solved[row] == 1:
+                    missed = miss(t, row, part)
+            if equations.solved[row] == 0:
+                missed = 0.0
+            equations.unknown[row] = -missed / part
+            if equations.inverse_pivot[row] > 0.0:
+                size = (missed if missed > 0.0 else -missed) / scale_of(t, row, joint)
+                if size > worst:
+                    worst = size
+    return worst
