@@ -21,6 +21,12 @@ from engine.tick import act
 MOVED = ("x", "y", "angle", "vx", "vy", "spin")
 
 
+def ask_functions(store: Store, laws: Laws, dt: float) -> None:
+    """Let the laws of force that are Python functions say what they give in a tick of `dt` (s)."""
+    if any(law.is_python for law in store.acting.values()):
+        ask(store, laws, dt)
+
+
 def ask(store: Store, laws: Laws, dt: float) -> None:
     """Write to `Fields` what the functions give for a tick.
 

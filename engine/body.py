@@ -25,7 +25,7 @@ class Body:
     collisions: `on_move(body)` if the body moved, `on_collision(body, collision)`.
     """
 
-    __slots__ = ("_world", "id", "name", "on_collision", "on_move", "shape")
+    __slots__ = ("_on_collision", "_on_move", "_world", "id", "name", "shape")
 
     def __init__(self, world: "World", id: int, shape: Shape, name: str) -> None:
         """Made by `World.add`."""
@@ -33,12 +33,32 @@ class Body:
         self.id = id
         self.shape = shape
         self.name = name
-        self.on_move: OnMove | None = None
-        self.on_collision: OnCollision | None = None
+        self._on_move: OnMove | None = None
+        self._on_collision: OnCollision | None = None
 
     def __repr__(self) -> str:
         """Name it and say what shape it has."""
         return f"<Body {self.id} {self.name!r}: {self.shape}>"
+
+    @property
+    def on_move(self) -> OnMove | None:
+        """Called with this body after a step in which it moved."""
+        return self._on_move
+
+    @on_move.setter
+    def on_move(self, function: OnMove | None) -> None:
+        self._on_move = function
+        self._world.store.listened_to |= function is not None
+
+    @property
+    def on_collision(self) -> OnCollision | None:
+        """Called with this body and each collision that it had, after the step."""
+        return self._on_collision
+
+    @on_collision.setter
+    def on_collision(self, function: OnCollision | None) -> None:
+        self._on_collision = function
+        self._world.store.listened_to |= function is not None
 
     @property
     def is_wall(self) -> bool:

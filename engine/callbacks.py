@@ -8,9 +8,10 @@ from engine.store import Store
 from engine.vector import Vector
 
 
-def poses(bodies: Iterable[Body]) -> list[tuple[Body, Vector, float]]:
+def poses(store: Store) -> list[tuple[Body, Vector, float]]:
     """Where the bodies are whose moves are listened to."""
-    return [(body, body.position, body.angle) for body in bodies if body.on_move is not None]
+    listened_to = [body for body in store.handles if body.on_move is not None]
+    return [(body, body.position, body.angle) for body in listened_to]
 
 
 def call_broken(store: Store) -> None:

@@ -1,9 +1,11 @@
 """What drives a world: it runs the kernels tick by tick and does what only Python can do."""
 
+import math
+
 from engine import collision, jit, warming
 from engine.collision import Collision, Diverged
 from engine.pair_rows import mix_by_rules
-from engine.settings import Laws, Rule, geometric_mean, larger
+from engine.settings import PLAIN_RULES, Laws, Rules
 from engine.store import Store
 from engine.tables import Tables
 from engine.tick import FULL, LOOSE, LOST, UNMIXED, WAITING
@@ -26,7 +28,18 @@ AT_ONCE = 30
 class Clockwork:
     """Advances the tables of a store by the kernels of a mode (see `jit.resolve`)."""
 
-    __slots__ = ("_bound_to", "_kernels", "_next_look", "_run", "_store", "_work")
+    __slots__ = (
+        "_kernels",
+        "_laws",
+        "_next_look",
+        "_rules",
+        "_run",
+        "_store",
+        "_tables",
+        "_tick",
+        "_work",
+        "_written",
+    )
 
     def __init__(self, store: Store, mode: str) -> None:
         """Choose the kernels.
@@ -38,23 +51,23 @@ class Clockwork:
         mode = jit.resolve(mode)
         self._store = store
         self._kernels = jit.compiled() if mode == "compiled" else jit.INTERPRETED
-        self._bound_to: tuple[Tables, Laws] | None = None
+        self._tables: Tables | None = None
+        self._laws: Laws | None = None
+        self._rules: Rules | None = None
         self._work = 0.0
-        self._next_look = WORTHWHILE if mode == "auto" else float("inf")
+        self._next_look = WORTHWHILE if mode == "auto" else math.inf
 
     @property
     def compiled(self) -> bool:
         """Whether it runs machine code."""
         return self._kernels.compiled
 
-    def advance(
-        self, laws: Laws, rules: tuple[Rule, Rule], dt: float, ticks: int = 1
-    ) -> list[Collision]:
+    def advance(self, laws: Laws, rules: Rules, dt: float, ticks: int = 1) -> list[Collision]:
         """Take so many ticks of `dt` seconds; return the collisions that happened in them.
 
         Args:
             laws: of the world.
-            rules: what makes restitution and friction of a pair.
+            rules: what makes the coefficients of a pair.
             dt: length of a tick (s).
             ticks: how many.
 
@@ -70,19 +83,32 @@ class Clockwork:
             self._consider_compiling(part)
         return collisions
 
-    def _advance(
-        self, laws: Laws, rules: tuple[Rule, Rule], dt: float, ticks: int
-    ) -> list[Collision]:
+    def _advance(self, laws: Laws, rules: Rules, dt: float, ticks: int) -> list[Collision]:
+        if (
+            self._tables is not self._store.tables
+            or self._laws is not laws
+            or self._rules is not rules
+        ):
+            self._bind(laws, rules)
+        try:
+            end = self._tick[0] + ticks
+            status = self._run(dt, ticks)
+            if status == DONE:
+                return self._reported() if self._written[0] else []
+            return self._go_on(status, laws, rules, dt, end)
+        except BaseException:
+            self._store.tables.progress.phase[0] = WAITING
+            raise
+
+    def _go_on(self, status: int, laws: Laws, rules: Rules, dt: float, end: int) -> list[Collision]:
+        """Do what the kernel cannot, and let it go on until the tick `end`."""
         store = self._store
-        progress, state = store.tables.progress, store.tables.state
-        progress.phase[0] = WAITING
-        progress.own_rules[0] = rules != (larger, geometric_mean)
-        end = state.tick[0] + ticks
-        status = self._bound(laws)(dt, ticks)
         collisions = self._reported()
         while status != DONE:
+            progress, state = store.tables.progress, store.tables.state
             if status == FULL:
                 store.make_room_for_pairs(progress.wanted[0])
+                self._bind(laws, rules)
             elif status == UNMIXED:
                 mix_by_rules(store.tables, *rules)
             elif status == LOOSE:
@@ -90,25 +116,22 @@ class Clockwork:
             elif status == LOST:
                 body = store.handles[progress.lost[0]]
                 raise Diverged(f"{body.name} left the range of numbers in tick {state.tick[0]}")
-            status = self._bound(laws)(dt, end - state.tick[0])
+            status = self._run(dt, end - state.tick[0])
             collisions += self._reported()
         return collisions
 
+    def _bind(self, laws: Laws, rules: Rules) -> None:
+        """Make the kernel ready to work on the tables as they are."""
+        tables = self._store.tables
+        self._tables, self._laws, self._rules = tables, laws, rules
+        self._run = self._kernels.bind(tables, laws)
+        self._tick, self._written = tables.state.tick, tables.impacts.written
+        tables.progress.own_rules[0] = rules != PLAIN_RULES
+
     def _reported(self) -> list[Collision]:
         tables = self._store.tables
-        if tables.impacts.written[0] == 0:
-            return []
         tables.progress.told[0] = 0
         return collision.read(tables.impacts, self._store.handles)
-
-    def _bound(self, laws: Laws) -> jit.Run:
-        """The kernel, ready to work on the tables as they are."""
-        tables = self._store.tables
-        bound_to = self._bound_to
-        if bound_to is None or bound_to[0] is not tables or bound_to[1] is not laws:
-            self._bound_to = (tables, laws)
-            self._run = self._kernels.bind(tables, laws)
-        return self._run
 
     def _consider_compiling(self, ticks: int) -> None:
         """Change to machine code if this world goes on for long and it is ready."""
@@ -118,4 +141,4 @@ class Clockwork:
             self._next_look = self._work + AGAIN
             ready = warming.background().kernels()
             if ready is not None:
-                self._kernels, self._bound_to = ready, None
+                self._kernels, self._tables = ready, None

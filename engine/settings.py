@@ -64,3 +64,14 @@ def larger(a: float, b: float) -> float:
 def geometric_mean(a: float, b: float) -> float:
     """Geometric mean of two coefficients of friction: one slippery body makes a slippery pair."""
     return math.sqrt(a * b)
+
+
+class Rules(NamedTuple):
+    """What makes the coefficients of a pair from those of its bodies."""
+
+    restitution: Rule
+    friction: Rule
+
+
+PLAIN_RULES = Rules(larger, geometric_mean)
+"""Rules that kernels know; all others are asked in Python."""

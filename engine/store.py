@@ -38,7 +38,7 @@ class Store:
     saved and restored. The others are room for the kernels to write in.
     """
 
-    __slots__ = ("acting", "broken", "handles", "joints", "rows", "tables")
+    __slots__ = ("acting", "broken", "handles", "joints", "listened_to", "rows", "tables")
 
     def __init__(self) -> None:
         """Make an empty one."""
@@ -46,6 +46,8 @@ class Store:
         self.tables.progress.room[0] = ROWS["pairs"]
         self.handles: list[Body] = []
         """The bodies in order of their rows, which is that of their ids."""
+        self.listened_to = False
+        """Whether a body ever had a function to call; see `callbacks`."""
         self.rows: dict[int, int] = {}
         """Row of each body's id."""
         self.acting: dict[int, ActingLaw] = {}

@@ -26,6 +26,8 @@ def finite(value: Any, name: str) -> float:
 
 def positive(value: Any, name: str) -> float:
     """Return `value` as a float; refuse zero and negative numbers as well."""
+    if type(value) is float and 0.0 < value < math.inf:
+        return value
     number = finite(value, name)
     if number <= 0.0:
         raise ValueError(f"{name} must be greater than zero, not {number}")

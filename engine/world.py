@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 from engine import bulk, callbacks, portable, queries, touching, validate
-from engine.asking import ask
+from engine.asking import ask_functions
 from engine.body import Body, OnCollision, OnMove
 from engine.bulk import Tracks
 from engine.clockwork import Clockwork
@@ -19,7 +19,7 @@ from engine.joints import Joint, OnBreak, Spec, joint_columns
 from engine.plain import Functions
 from engine.queries import Choice, Hit, Nearest
 from engine.recording import Recording
-from engine.settings import TICK, Rule, geometric_mean, larger, laws
+from engine.settings import TICK, Rule, Rules, geometric_mean, larger, laws
 from engine.shapes import Shape
 from engine.snapshot import Snapshot
 from engine.store import Store
@@ -54,8 +54,8 @@ class World:
         kernels: str = "auto",
     ) -> None:
         self.laws = laws(gravity, drag, integrator, substeps)
-        self.restitution_rule = restitution_rule or larger
-        self.friction_rule = friction_rule or geometric_mean
+        self.rules = Rules(restitution_rule or larger, friction_rule or geometric_mean)
+        """What makes the coefficients of a pair."""
         self.store = Store()
         """All that varies."""
         self.recorder: Recording | None = None
@@ -71,12 +71,17 @@ class World:
             Diverged: when a body left the range of numbers; the world is then of no more use.
         """
         dt = validate.positive(dt, "dt")
-        poses = callbacks.poses(self.store.handles)
-        self._ask_functions(dt)
-        collisions = self._clockwork.advance(self.laws, self._rules, dt)
-        self._note(dt)
-        callbacks.call(poses, collisions, self.store)
-        callbacks.call_broken(self.store)
+        store = self.store
+        poses = callbacks.poses(store) if store.listened_to else []
+        if store.acting:
+            ask_functions(store, self.laws, dt)
+        collisions = self._clockwork.advance(self.laws, self.rules, dt)
+        if self.recorder is not None:
+            self.recorder.end_tick(self, dt)
+        if store.listened_to:
+            callbacks.call(poses, collisions, store)
+        if store.broken:
+            callbacks.call_broken(store)
         return collisions
 
     def run(
@@ -383,6 +388,24 @@ class World:
         return self.store.time
 
     @property
+    def restitution_rule(self) -> Rule:
+        """Makes the restitution of a pair from those of its bodies."""
+        return self.rules.restitution
+
+    @restitution_rule.setter
+    def restitution_rule(self, rule: Rule) -> None:
+        self.rules = self.rules._replace(restitution=rule)
+
+    @property
+    def friction_rule(self) -> Rule:
+        """Makes the friction of a pair from those of its bodies."""
+        return self.rules.friction
+
+    @friction_rule.setter
+    def friction_rule(self, rule: Rule) -> None:
+        self.rules = self.rules._replace(friction=rule)
+
+    @property
     def kernels(self) -> str:
         """What it runs on at present: "interpreted" or "compiled"."""
         return "compiled" if self._clockwork.compiled else "interpreted"
@@ -511,18 +534,3 @@ class World:
     def displaced(self) -> None:
         """Take note that a body was moved by hand, or its material changed."""
         self.tables.state.stale[0] = 1
-
-    # The parts of a step.
-
-    @property
-    def _rules(self) -> tuple[Rule, Rule]:
-        return self.restitution_rule, self.friction_rule
-
-    def _ask_functions(self, dt: float) -> None:
-        """Let Python functions that are laws of force say what they give in this tick."""
-        if any(law.is_python for law in self.store.acting.values()):
-            ask(self.store, self.laws, dt)
-
-    def _note(self, dt: float) -> None:
-        if self.recorder is not None:
-            self.recorder.end_tick(self, dt)

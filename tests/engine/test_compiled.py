@@ -117,7 +117,7 @@ def test_many_ticks_in_one_call_are_the_same_ticks() -> None:
     worlds = [SCENES["gas, 100"](mode) for mode in ("interpreted", "compiled")]
     stepped = [collision.time for _ in range(40) for collision in worlds[0].step()]
     clockwork = worlds[1]._clockwork
-    laws, rules = worlds[1].laws, worlds[1]._rules
+    laws, rules = worlds[1].laws, worlds[1].rules
     at_once = clockwork.advance(laws, rules, 1 / 60, 40)
     assert [collision.time for collision in at_once] == stepped
     assert worlds[0].digest() == worlds[1].digest()
