@@ -4,6 +4,7 @@ import math
 
 from engine import collision, jit, warming
 from engine.collision import Collision, Diverged
+from engine.jit import Kernels
 from engine.pair_rows import mix_by_rules
 from engine.settings import PLAIN_RULES, Laws, Rules
 from engine.store import Store
@@ -29,6 +30,8 @@ class Clockwork:
     """Advances the tables of a store by the kernels of a mode (see `jit.resolve`)."""
 
     __slots__ = (
+        "_at_once",
+        "_counted",
         "_kernels",
         "_laws",
         "_next_look",
@@ -50,12 +53,14 @@ class Clockwork:
         """
         mode = jit.resolve(mode)
         self._store = store
-        self._kernels = jit.compiled() if mode == "compiled" else jit.INTERPRETED
         self._tables: Tables | None = None
         self._laws: Laws | None = None
         self._rules: Rules | None = None
         self._work = 0.0
+        self._counted = 0
+        self._at_once = AT_ONCE
         self._next_look = WORTHWHILE if mode == "auto" else math.inf
+        self._use(jit.compiled() if mode == "compiled" else jit.INTERPRETED)
 
     @property
     def compiled(self) -> bool:
@@ -74,51 +79,45 @@ class Clockwork:
         Raises:
             Diverged: when a body left the range of numbers.
         """
-        if self._kernels.compiled:
-            return self._advance(laws, rules, dt, ticks)
-        collisions: list[Collision] = []
-        for done in range(0, ticks, AT_ONCE):
-            part = min(AT_ONCE, ticks - done)
-            collisions += self._advance(laws, rules, dt, part)
-            self._consider_compiling(part)
-        return collisions
-
-    def _advance(self, laws: Laws, rules: Rules, dt: float, ticks: int) -> list[Collision]:
         if (
             self._tables is not self._store.tables
             or self._laws is not laws
             or self._rules is not rules
         ):
             self._bind(laws, rules)
+        collisions: list[Collision] = []
+        end = self._tick[0] + ticks
         try:
-            end = self._tick[0] + ticks
-            status = self._run(dt, ticks)
-            if status == DONE:
-                return self._reported() if self._written[0] else []
-            return self._go_on(status, laws, rules, dt, end)
+            while True:
+                left = end - self._tick[0]
+                status = self._run(dt, left if left < self._at_once else self._at_once)
+                if self._written[0]:
+                    collisions += self._reported()
+                if status != DONE:
+                    self._help(status, laws, rules)
+                elif self._next_look < math.inf:
+                    self._consider_compiling(laws, rules)
+                if self._tick[0] == end:
+                    return collisions
         except BaseException:
             self._store.tables.progress.phase[0] = WAITING
             raise
 
-    def _go_on(self, status: int, laws: Laws, rules: Rules, dt: float, end: int) -> list[Collision]:
-        """Do what the kernel cannot, and let it go on until the tick `end`."""
+    def _help(self, status: int, laws: Laws, rules: Rules) -> None:
+        """Do what the kernel cannot, so that it can go on."""
         store = self._store
-        collisions = self._reported()
-        while status != DONE:
-            progress, state = store.tables.progress, store.tables.state
-            if status == FULL:
-                store.make_room_for_pairs(progress.wanted[0])
-                self._bind(laws, rules)
-            elif status == UNMIXED:
-                mix_by_rules(store.tables, *rules)
-            elif status == LOOSE:
-                store.order_joints()
-            elif status == LOST:
-                body = store.handles[progress.lost[0]]
-                raise Diverged(f"{body.name} left the range of numbers in tick {state.tick[0]}")
-            status = self._run(dt, end - state.tick[0])
-            collisions += self._reported()
-        return collisions
+        progress = store.tables.progress
+        if status == FULL:
+            store.make_room_for_pairs(progress.wanted[0])
+        elif status == UNMIXED:
+            mix_by_rules(store.tables, *rules)
+        elif status == LOOSE:
+            store.order_joints()
+        elif status == LOST:
+            body = store.handles[progress.lost[0]]
+            raise Diverged(f"{body.name} left the range of numbers in tick {self._tick[0]}")
+        if self._tables is not store.tables:
+            self._bind(laws, rules)
 
     def _bind(self, laws: Laws, rules: Rules) -> None:
         """Make the kernel ready to work on the tables as they are."""
@@ -133,12 +132,20 @@ class Clockwork:
         tables.progress.told[0] = 0
         return collision.read(tables.impacts, self._store.handles)
 
-    def _consider_compiling(self, ticks: int) -> None:
+    def _consider_compiling(self, laws: Laws, rules: Rules) -> None:
         """Change to machine code if this world goes on for long and it is ready."""
-        counts = self._store.tables.counts
+        counts, tick = self._store.tables.counts, self._tick[0]
+        ticks = tick - self._counted
+        self._counted = tick
         self._work += ticks * (BODY * counts.bodies[0] + PAIR * counts.pairs[0])
         if self._work >= self._next_look:
             self._next_look = self._work + AGAIN
             ready = warming.background().kernels()
             if ready is not None:
-                self._kernels, self._tables = ready, None
+                self._use(ready)
+                self._bind(laws, rules)
+
+    def _use(self, kernels: Kernels) -> None:
+        self._kernels = kernels
+        if kernels.compiled:
+            self._at_once, self._next_look = 2**62, math.inf

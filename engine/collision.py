@@ -1,8 +1,7 @@
 """What a step reports."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from engine.tables import Impacts
 from engine.vector import Vector
@@ -11,8 +10,7 @@ if TYPE_CHECKING:
     from engine.body import Body
 
 
-@dataclass(frozen=True, slots=True)
-class Collision:
+class Collision(NamedTuple):
     """One impact of two bodies: they met with some speed and were turned back."""
 
     a: "Body"

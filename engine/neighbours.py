@@ -18,6 +18,12 @@ LARGE = 8
 
 LARGE_SHARE = 64
 
+LEAST = 1e-12
+"""Side of squares at least, and the inverse of the most (m)."""
+
+NOBODY, LARGER = -1, -2
+"""In `Grid.following`: the last piece of a square; one that is larger than squares."""
+
 FARTHEST = 1e12
 """Columns and rows end there (squares): what is beyond belongs to the last ones."""
 
@@ -101,45 +107,67 @@ def search_grid(t: Tables, pieces: int, room: int) -> int:
     """Find pairs in a grid, in no order."""
     grid = t.grid
     side = side_of_squares(t, pieces)
-    large = 0
-    found = 0
     squares = 64
     while squares < pieces:
         squares *= 2
-    for square in range(squares):
-        grid.head[square] = -1
+    large = fill_grid(t, pieces, side, squares)
+    found = 0
     for a in range(pieces):
-        if extent(t, a) > side:
-            grid.large[large] = a
-            large += 1
+        if grid.following[a] == LARGER:
             continue
-        column = square_of((t.pieces.low_x[a] + t.pieces.high_x[a]) / 2.0, side)
-        row = square_of((t.pieces.low_y[a] + t.pieces.high_y[a]) / 2.0, side)
-        grid.column[a] = column
-        grid.row[a] = row
-        for i in range(column - 1, column + 2):
-            for j in range(row - 1, row + 2):
-                b = grid.head[place(i, j, squares)]
-                while b >= 0:
-                    if grid.column[b] == i and grid.row[b] == j and may_touch(t, b, a):
-                        found = note(t.found, b, a, found, room)
-                    b = grid.following[b]
-        own = place(column, row, squares)
-        grid.following[a] = grid.head[own]
-        grid.head[own] = a
+        column = grid.column[a]
+        row = grid.row[a]
+        b = grid.following[a]
+        while b >= 0:
+            if grid.column[b] == column and grid.row[b] == row and may_touch(t, b, a):
+                found = note(t.found, b, a, found, room)
+            b = grid.following[b]
+        for k in range(4):  # and half of the squares around, as the others look at this one
+            i = column + 1 if k < 3 else column
+            j = row - 1 + k if k < 3 else row + 1
+            b = grid.head[place(i, j, squares)]
+            while b >= 0:
+                if grid.column[b] == i and grid.row[b] == j:
+                    low = a if a < b else b
+                    high = b if a < b else a
+                    if may_touch(t, low, high):
+                        found = note(t.found, low, high, found, room)
+                b = grid.following[b]
     for k in range(large):
         a = grid.large[k]
         for b in range(pieces):
             if b > a and may_touch(t, a, b):
                 found = note(t.found, a, b, found, room)
-            elif b < a and extent(t, b) <= side and may_touch(t, b, a):
+            elif b < a and grid.following[b] != LARGER and may_touch(t, b, a):
                 found = note(t.found, b, a, found, room)
     return found
 
 
+def fill_grid(t: Tables, pieces: int, side: float, squares: int) -> int:
+    """Put the pieces into squares, the last on top; return how many are too large for that."""
+    grid = t.grid
+    large = 0
+    for square in range(squares):
+        grid.head[square] = NOBODY
+    for piece in range(pieces):
+        if extent(t, piece) > side:
+            grid.large[large] = piece
+            grid.following[piece] = LARGER
+            large += 1
+        else:
+            column = square_of((t.pieces.low_x[piece] + t.pieces.high_x[piece]) / 2.0, side)
+            row = square_of((t.pieces.low_y[piece] + t.pieces.high_y[piece]) / 2.0, side)
+            own = place(column, row, squares)
+            grid.column[piece] = column
+            grid.row[piece] = row
+            grid.following[piece] = grid.head[own]
+            grid.head[own] = piece
+    return large
+
+
 def place(column: int, row: int, squares: int) -> int:
-    """Hash of a square, from 0 to `squares`, a power of two."""
-    return (column * 73856093 ^ row * 19349663) & (squares - 1)
+    """Hash of a square, from 0 to `squares`, a power of two; neighbours in a row are neighbours."""
+    return (column * 1031 + row) & (squares - 1)
 
 
 def square_of(at: float, side: float) -> int:
@@ -160,21 +188,30 @@ def extent(t: Tables, piece: int) -> float:
 
 
 def side_of_squares(t: Tables, pieces: int) -> float:
-    """Side of the squares (m): halved from the largest piece on while few are larger."""
-    side = 1e-300
+    """Side of the squares (m): the extent of the largest piece but for a few that are larger."""
+    allowed = LARGE + pieces // LARGE_SHARE
+    total = 0.0
+    for piece in range(pieces):
+        total += extent(t, piece)
+    side = total / pieces
+    if not LEAST < side < 1.0 / LEAST:
+        side = LEAST if side < 1.0 else 1.0 / LEAST
+    if larger_than(t, pieces, side) > allowed:
+        while larger_than(t, pieces, side) > allowed and side < 1.0 / LEAST:
+            side *= 1.5
+    else:
+        while side > LEAST and larger_than(t, pieces, side / 1.5) <= allowed:
+            side /= 1.5
+    return side * 1.000001  # boxes as wide as a square stay neighbours whatever is rounded
+
+
+def larger_than(t: Tables, pieces: int, side: float) -> int:
+    """How many pieces are larger (m)."""
+    larger = 0
     for piece in range(pieces):
         if extent(t, piece) > side:
-            side = extent(t, piece)
-    allowed = LARGE + pieces // LARGE_SHARE
-    for _ in range(60):
-        larger = 0
-        for piece in range(pieces):
-            if extent(t, piece) > side / 2.0:
-                larger += 1
-        if larger > allowed:
-            break
-        side /= 2.0
-    return side * 1.000001  # boxes as wide as a square stay neighbours whatever is rounded
+            larger += 1
+    return larger
 
 
 def sort(t: Tables, pieces: int, number: int) -> None:

@@ -622,9 +622,9 @@ class Grid(NamedTuple):
     """Squares over the world in which the broad phase looks for neighbours; see `neighbours`."""
 
     head: Ints
-    """Last piece found in a square, by the square's hash; -1: none."""
+    """The piece on top of a square, by the square's hash, or `neighbours.NOBODY`."""
     following: Ints
-    """By pieces: the one that was found before in a square of the same hash; -1: none."""
+    """By pieces: the one below it in squares of the same hash, or `neighbours.NOBODY`."""
     column: Ints
     """By pieces: the square in which its box has its centre."""
     row: Ints

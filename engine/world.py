@@ -80,7 +80,7 @@ class World:
             self.recorder.end_tick(self, dt)
         if store.listened_to:
             callbacks.call(poses, collisions, store)
-        if store.broken:
+        if store.joints:
             callbacks.call_broken(store)
         return collisions
 
