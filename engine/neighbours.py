@@ -3,7 +3,8 @@
 The grid has squares as large as the largest piece, a few aside that are larger (long walls) and are
 compared with all. A piece belongs to the square in which its box has its centre, so that boxes
 which overlap belong to the same or to neighbouring squares. Squares are kept by a hash of their
-column and row (Teschner and others, "Optimized Spatial Hashing", 2003): the world has no borders.
+column and row (as in Teschner and others, "Optimized Spatial Hashing", 2003): the world has no
+borders.
 """
 
 import math
@@ -23,6 +24,9 @@ LEAST = 1e-12
 
 NOBODY, LARGER = -1, -2
 """In `Grid.following`: the last piece of a square; one that is larger than squares."""
+
+FALLBACK_STRIDE = 1000003
+"""Numbers from one column to the next in a world that is too high for its squares."""
 
 FARTHEST = 1e12
 """Columns and rows end there (squares): what is beyond belongs to the last ones."""
@@ -108,31 +112,21 @@ def search_grid(t: Tables, pieces: int, room: int) -> int:
     grid = t.grid
     side = side_of_squares(t, pieces)
     squares = 64
-    while squares < pieces:
+    while squares < 2 * pieces:
         squares *= 2
-    large = fill_grid(t, pieces, side, squares)
+    large = sort_out_large(t, pieces, side)
+    stride = fill_grid(t, pieces, squares)
     found = 0
     for a in range(pieces):
         if grid.following[a] == LARGER:
             continue
         column = grid.column[a]
         row = grid.row[a]
-        b = grid.following[a]
-        while b >= 0:
-            if grid.column[b] == column and grid.row[b] == row and may_touch(t, b, a):
-                found = note(t.found, b, a, found, room)
-            b = grid.following[b]
+        found = look_into(t, a, column, row, grid.following[a], found, room)
         for k in range(4):  # and half of the squares around, as the others look at this one
             i = column + 1 if k < 3 else column
             j = row - 1 + k if k < 3 else row + 1
-            b = grid.head[place(i, j, squares)]
-            while b >= 0:
-                if grid.column[b] == i and grid.row[b] == j:
-                    low = a if a < b else b
-                    high = b if a < b else a
-                    if may_touch(t, low, high):
-                        found = note(t.found, low, high, found, room)
-                b = grid.following[b]
+            found = look_into(t, a, i, j, grid.head[place(i, j, stride, squares)], found, room)
     for k in range(large):
         a = grid.large[k]
         for b in range(pieces):
@@ -143,31 +137,70 @@ def search_grid(t: Tables, pieces: int, room: int) -> int:
     return found
 
 
-def fill_grid(t: Tables, pieces: int, side: float, squares: int) -> int:
-    """Put the pieces into squares, the last on top; return how many are too large for that."""
+def look_into(t: Tables, a: int, column: int, row: int, top: int, found: int, room: int) -> int:
+    """Pair a piece with those of a square, from `top` on; return the number of pairs."""
+    grid = t.grid
+    b = top
+    while b >= 0:
+        if grid.column[b] == column and grid.row[b] == row:
+            if a < b:
+                if may_touch(t, a, b):
+                    found = note(t.found, a, b, found, room)
+            elif may_touch(t, b, a):
+                found = note(t.found, b, a, found, room)
+        b = grid.following[b]
+    return found
+
+
+def sort_out_large(t: Tables, pieces: int, side: float) -> int:
+    """Find the squares of all pieces but those that are too large; return the number of these."""
     grid = t.grid
     large = 0
-    for square in range(squares):
-        grid.head[square] = NOBODY
     for piece in range(pieces):
         if extent(t, piece) > side:
             grid.large[large] = piece
             grid.following[piece] = LARGER
             large += 1
         else:
-            column = square_of((t.pieces.low_x[piece] + t.pieces.high_x[piece]) / 2.0, side)
-            row = square_of((t.pieces.low_y[piece] + t.pieces.high_y[piece]) / 2.0, side)
-            own = place(column, row, squares)
-            grid.column[piece] = column
-            grid.row[piece] = row
-            grid.following[piece] = grid.head[own]
-            grid.head[own] = piece
+            grid.following[piece] = NOBODY
+            grid.column[piece] = square_of(
+                (t.pieces.low_x[piece] + t.pieces.high_x[piece]) / 2.0, side
+            )
+            grid.row[piece] = square_of(
+                (t.pieces.low_y[piece] + t.pieces.high_y[piece]) / 2.0, side
+            )
     return large
 
 
-def place(column: int, row: int, squares: int) -> int:
-    """Hash of a square, from 0 to `squares`, a power of two; neighbours in a row are neighbours."""
-    return (column * 1031 + row) & (squares - 1)
+def fill_grid(t: Tables, pieces: int, squares: int) -> int:
+    """Put the pieces into their squares, the last on top; return the stride for `place`."""
+    grid = t.grid
+    lowest = 0
+    highest = 0
+    for piece in range(pieces):
+        if grid.following[piece] != LARGER:
+            lowest = grid.row[piece] if grid.row[piece] < lowest else lowest
+            highest = grid.row[piece] if grid.row[piece] > highest else highest
+    stride = highest - lowest + 3
+    if stride > squares:
+        stride = FALLBACK_STRIDE
+    for square in range(squares):
+        grid.head[square] = NOBODY
+    for piece in range(pieces):
+        if grid.following[piece] != LARGER:
+            own = place(grid.column[piece], grid.row[piece], stride, squares)
+            grid.following[piece] = grid.head[own]
+            grid.head[own] = piece
+    return stride
+
+
+def place(column: int, row: int, stride: int, squares: int) -> int:
+    """Hash of a square, from 0 to `squares`, a power of two.
+
+    Squares of a column are numbered one after the other, columns too, and what is too much begins
+    again at 0: a world that is no larger than so many squares has no two with the same number.
+    """
+    return (column * stride + row) & (squares - 1)
 
 
 def square_of(at: float, side: float) -> int:
@@ -202,6 +235,11 @@ def side_of_squares(t: Tables, pieces: int) -> float:
     else:
         while side > LEAST and larger_than(t, pieces, side / 1.5) <= allowed:
             side /= 1.5
+    fitting = 0.0
+    for piece in range(pieces):
+        if fitting < extent(t, piece) <= side:
+            fitting = extent(t, piece)
+    side = fitting if fitting > LEAST else LEAST
     return side * 1.000001  # boxes as wide as a square stay neighbours whatever is rounded
 
 

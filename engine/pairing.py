@@ -5,7 +5,6 @@ import math
 from engine.broadphase import fit_boxes
 from engine.neighbours import find_neighbours
 from engine.tables import NEVER, SENSING, Tables, clear_row, copy_row
-from engine.touches import part_with
 
 
 def find_pairs(t: Tables, dt: float) -> bool:
@@ -31,33 +30,33 @@ def find_pairs(t: Tables, dt: float) -> bool:
 def rearrange(t: Tables, before: int, found: int) -> None:
     """Bring the rows of `Pairs` and `Contacts` into the order of `Found`, both being sorted.
 
-    Pairs that are no longer found are dropped, new ones begin with nothing.
+    Pairs that are no longer found are dropped, new ones begin with nothing. As order is kept, rows
+    that move up are out of each other's way if the last moves first, rows that move down if the
+    first does.
     """
     pairs = t.pairs
     known = t.found.known
     old = 0
-    kept = 0
     for k in range(found):
         a = t.found.a[k]
         b = t.found.b[k]
         while old < before and comes_before(pairs.piece_a[old], pairs.piece_b[old], a, b):
-            part_with(t, old)
             old += 1
         known[k] = -1
         if old < before and pairs.piece_a[old] == a and pairs.piece_b[old] == b:
-            move(t, old, kept)
-            known[k] = kept
-            kept += 1
+            known[k] = old
             old += 1
-    for lost in range(old, before):
-        part_with(t, lost)
     for k in range(found - 1, -1, -1):
-        if known[k] >= 0:
+        if 0 <= known[k] < k:
             move(t, known[k], k)
-            pairs.apart[k] = 0.0  # bodies may have been moved by hand
-            pairs.queued[k] = 0
-        else:
+    for k in range(found):
+        if known[k] > k:
+            move(t, known[k], k)
+    for k in range(found):
+        if known[k] < 0:
             begin(t, k)
+        pairs.apart[k] = 0.0  # bodies may have been moved by hand
+        pairs.queued[k] = 0
 
 
 def comes_before(a: int, b: int, than_a: int, than_b: int) -> bool:
@@ -67,18 +66,16 @@ def comes_before(a: int, b: int, than_a: int, than_b: int) -> bool:
 
 def move(t: Tables, source: int, target: int) -> None:
     """Move a pair with its contacts to another row."""
-    if source != target:
-        copy_row(t.pairs, source, target)
+    copy_row(t.pairs, source, target)
+    if t.pairs.points[source] > 0:
         copy_row(t.contacts, 2 * source, 2 * target)
         copy_row(t.contacts, 2 * source + 1, 2 * target + 1)
 
 
 def begin(t: Tables, pair: int) -> None:
-    """Write a new pair to its row."""
+    """Write a new pair, which has no contacts, to its row."""
     pairs = t.pairs
     clear_row(pairs, pair)
-    clear_row(t.contacts, 2 * pair)
-    clear_row(t.contacts, 2 * pair + 1)
     piece_a = t.found.a[pair]
     piece_b = t.found.b[pair]
     pairs.piece_a[pair] = piece_a
