@@ -48,7 +48,7 @@ def sides(hull: Hull) -> list[tuple[Vector, Vector, float]]:
         x, y = end.x - start.x, end.y - start.y
         long = length(x, y)
         if long > 0.0:
-            found.append((start, Vector(y / long, -x / long), long))
+            found.append((start, Vector(y / long, 0.0 - x / long), long))  # no -0.0
     return found
 
 
