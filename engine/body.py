@@ -4,10 +4,11 @@ import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from engine import filters, kinds, validate
+from engine import filters, kinds, materials, validate
 from engine.collision import Collision
 from engine.forces import Force, Push, Torque
 from engine.inputs import noted
+from engine.settings import AS_FRICTION
 from engine.shapes import Barrier, Chain, Particle, Shape, Wall, outlines
 from engine.vector import Vector
 
@@ -198,7 +199,63 @@ class Body:
     @friction.setter
     @noted
     def friction(self, value: Any) -> None:
-        self._world.bodies.friction[self._row()] = validate.not_negative(value, "friction")
+        row, new = self._row(), validate.not_negative(value, "friction")
+        own = self._world.bodies.static_friction[row]
+        materials.grip(None if own == AS_FRICTION else own, new)
+        self._world.bodies.friction[row] = new
+        self._world.displaced()
+
+    @property
+    def static_friction(self) -> float:
+        """Coulomb's coefficient for what rests, at least `friction`; None makes it the same."""
+        row, bodies = self._row(), self._world.bodies
+        own = bodies.static_friction[row]
+        return bodies.friction[row] if own == AS_FRICTION else own
+
+    @static_friction.setter
+    @noted
+    def static_friction(self, value: Any) -> None:
+        row, bodies = self._row(), self._world.bodies
+        bodies.static_friction[row] = materials.resistance(value, bodies.friction[row])
+        self._world.displaced()
+
+    @property
+    def rolling_resistance(self) -> float:
+        """Lever arm (m) by which the normal force resists rolling; that of a pair is the larger."""
+        return self._world.bodies.rolling_resistance[self._row()]
+
+    @rolling_resistance.setter
+    @noted
+    def rolling_resistance(self, value: Any) -> None:
+        arm = validate.not_negative(value, "rolling_resistance")
+        self._world.bodies.rolling_resistance[self._row()] = arm
+        self._world.displaced()
+
+    @property
+    def surface_speed(self) -> float:
+        """With which the surface moves along the edge (m/s), as that of a conveyor.
+
+        Of a wall or chain from start to end, of other shapes counter-clockwise.
+        """
+        return self._world.bodies.surface_speed[self._row()]
+
+    @surface_speed.setter
+    @noted
+    def surface_speed(self, value: Any) -> None:
+        speed = validate.finite(value, "surface_speed")
+        self._world.bodies.surface_speed[self._row()] = speed
+        self._world.displaced()
+
+    @property
+    def material(self) -> str | None:
+        """Name of what it is made of, see `World.set_material_pair`; None for nothing special."""
+        return self._world.store.materials.get(self._world.bodies.material[self._row()])
+
+    @material.setter
+    @noted
+    def material(self, value: Any) -> None:
+        row = self._row()
+        self._world.bodies.material[row] = self._world.store.material(value)
         self._world.displaced()
 
     @property

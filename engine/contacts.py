@@ -11,6 +11,7 @@ from engine.following import follow, share_of_b
 from engine.linkage.impulses import add_up
 from engine.linkage.positions import bind, brace, follow_joints, keep_impulses
 from engine.linkage.velocities import ease, prepare_ease
+from engine.rubbing import outruns_forces, resist_rolling
 from engine.tables import RESTING, Tables
 
 CALM = 0.02
@@ -126,7 +127,9 @@ def warm_start(t: Tables, resting: int) -> None:
             rub += tangent
             turn_a += normal * contacts.normal_arm_a[row] + tangent * contacts.tangent_arm_a[row]
             turn_b += normal * contacts.normal_arm_b[row] + tangent * contacts.tangent_arm_b[row]
-        if push != 0.0:
+        if push == 0.0:
+            pairs.rolling_torque[pair] = 0.0
+        else:
             nx = pairs.normal_x[pair]
             ny = pairs.normal_y[pair]
             x = push * nx - rub * ny
@@ -135,14 +138,20 @@ def warm_start(t: Tables, resting: int) -> None:
             b = pairs.b[pair]
             kick_x[a] -= bodies.inverse_mass[a] * x
             kick_y[a] -= bodies.inverse_mass[a] * y
-            kick_spin[a] -= bodies.inverse_inertia[a] * turn_a
             kick_x[b] += bodies.inverse_mass[b] * x
             kick_y[b] += bodies.inverse_mass[b] * y
+            rolling = pairs.rolling_torque[pair]
+            if rolling != 0.0:
+                turn_a += rolling * pairs.part[pair]
+                turn_b += rolling * pairs.part[pair]
+            kick_spin[a] -= bodies.inverse_inertia[a] * turn_a
             kick_spin[b] += bodies.inverse_inertia[b] * turn_b
 
 
 def sweep(t: Tables, resting: int) -> bool:
-    """Solve each resting pair once, along the normal, then against the sliding.
+    """Solve each resting pair once, along the normal, then against the sliding and the rolling.
+
+    What slides faster than static friction can stop is braked by kinetic friction.
 
     Returns whether a normal velocity changed much.
     """
@@ -168,6 +177,7 @@ def sweep(t: Tables, resting: int) -> bool:
         b = pairs.b[pair]
         nx = pairs.normal_x[pair]
         ny = pairs.normal_y[pair]
+        grip = pairs.static_friction[pair]
         friction = pairs.friction[pair]
         still = CALM * pairs.size[pair]
         mass_a = bodies.inverse_mass[a]
@@ -179,6 +189,8 @@ def sweep(t: Tables, resting: int) -> bool:
         vy = kick_y[b] - kick_y[a]
         spin_a = kick_spin[a]
         spin_b = kick_spin[b]
+        arm_a = 0.0
+        arm_b = 0.0
         opening = vx * nx + vy * ny
         sliding = vy * nx - vx * ny
         push = 0.0
@@ -202,23 +214,39 @@ def sweep(t: Tables, resting: int) -> bool:
             most = still * hardness[row]
             if change > most or -change > most:
                 wild = True
-        if friction > 0.0:
+        if grip > 0.0:
+            sliding += pairs.belt_speed[pair]
+            slips = grip > friction
             for row in range(first, end):
                 arm_a = tangent_arm_a[row]
                 arm_b = tangent_arm_b[row]
                 before = tangent_impulse[row]
                 after = before - tangent_mass[row] * (sliding + spin_b * arm_b - spin_a * arm_a)
-                most = friction * normal_impulse[row]
+                most = grip * normal_impulse[row]
                 if after > most:
                     after = most
                 elif after < -most:
                     after = -most
+                else:
+                    slips = False
                 tangent_impulse[row] = after
                 change = after - before
                 rub += change
                 sliding += mass * change
                 spin_a -= turn_a * arm_a * change
                 spin_b += turn_b * arm_b * change
+            if slips and outruns_forces(t, pair, sliding + spin_b * arm_b - spin_a * arm_a):
+                for row in range(first, end):
+                    before = tangent_impulse[row]
+                    change = before * (friction / grip - 1.0)
+                    tangent_impulse[row] = before + change
+                    rub += change
+                    spin_a -= turn_a * tangent_arm_a[row] * change
+                    spin_b += turn_b * tangent_arm_b[row] * change
+        if pairs.rolling_resistance[pair] > 0.0 and turn_a + turn_b > 0.0:
+            change = resist_rolling(t, pair, spin_b - spin_a, turn_a + turn_b)
+            spin_a -= turn_a * change
+            spin_b += turn_b * change
         x = push * nx - rub * ny
         y = push * ny + rub * nx
         kick_x[a] -= mass_a * x

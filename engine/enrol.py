@@ -3,7 +3,7 @@
 import math
 from typing import Any
 
-from engine import filters, validate
+from engine import filters, materials, validate
 from engine.pose import put
 from engine.shapes import Barrier, Particle, Piece, Shape
 from engine.tables import Corners, Tables
@@ -26,7 +26,8 @@ def initial_values(shape: Shape, given: dict[str, Any]) -> dict[str, float]:
     Args:
         shape: of the body.
         given: kind, mass, inertia, position, angle, velocity, spin (each None if not given),
-            restitution, friction, gravity_scale, sensor, category, mask and group.
+            restitution, friction, static_friction, rolling_resistance, surface_speed, material,
+            gravity_scale, sensor, category, mask and group.
     """
     kind = given["kind"]
     if isinstance(shape, Barrier):
@@ -45,7 +46,7 @@ def initial_values(shape: Shape, given: dict[str, Any]) -> dict[str, float]:
         _refuse(given, ("velocity", "spin"), "a static body does not move: it takes no")
     return {
         "restitution": validate.fraction(given["restitution"], "restitution"),
-        "friction": validate.not_negative(given["friction"], "friction"),
+        **_rubbing(given),
         "gravity_scale": validate.finite(given["gravity_scale"], "gravity_scale"),
         "sensor": int(validate.truth(given["sensor"], "sensor")),
         "category": filters.category_bits(given["category"]),
@@ -54,6 +55,19 @@ def initial_values(shape: Shape, given: dict[str, Any]) -> dict[str, float]:
         "moves": int(kind != "static"),
         **_inertness(shape, kind, given["mass"], given["inertia"]),
         **_motion(given["position"], given["angle"], given["velocity"], given["spin"]),
+    }
+
+
+def _rubbing(given: dict[str, Any]) -> dict[str, float]:
+    """Friction, rolling resistance, surface speed and material, as columns of `Bodies`."""
+    friction = validate.not_negative(given["friction"], "friction")
+    rolling = validate.not_negative(given["rolling_resistance"], "rolling_resistance")
+    return {
+        "friction": friction,
+        "static_friction": materials.resistance(given["static_friction"], friction),
+        "rolling_resistance": rolling,
+        "surface_speed": validate.finite(given["surface_speed"], "surface_speed"),
+        "material": materials.number_or_none(given["material"]),
     }
 
 

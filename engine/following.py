@@ -9,6 +9,7 @@ b.
 
 from engine.manifolds.any_pair import touching_points
 from engine.pose import place
+from engine.rubbing import belt_speed
 from engine.tables import Tables
 
 DRIFT = 2e-3
@@ -110,6 +111,7 @@ def find_points(t: Tables, pair: int, time: float) -> None:
     pairs.drift[pair] = 0.0
     pairs.normal_x[pair] = t.touch.normal_x[0]
     pairs.normal_y[pair] = t.touch.normal_y[0]
+    pairs.belt_speed[pair] = belt_speed(t, pair, t.touch.normal_x[0], t.touch.normal_y[0])
     pairs.seen_x[pair] = bodies.middle_x[b] - bodies.middle_x[a]
     pairs.seen_y[pair] = bodies.middle_y[b] - bodies.middle_y[a]
     pairs.seen_angle_a[pair] = bodies.middle_angle[a]

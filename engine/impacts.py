@@ -13,6 +13,7 @@ from engine.linkage.velocities import react
 from engine.manifolds.any_pair import touching_points
 from engine.meeting import STILL
 from engine.pose import advance, place
+from engine.rubbing import belt_speed
 from engine.tables import FREE, RESTING, Bodies, Tables
 from engine.touches import note_impact
 
@@ -146,7 +147,7 @@ def exchange(t: Tables, pair: int, one: int, other: int, bounce: float, time: fl
         y += share * (t.touch.y[other] - y)
         speed += share * (approach(t, pair, other) - speed)
     give(t, pair, x, y, total * normal_x, total * normal_y)
-    sliding = slip(t, pair, x, y)
+    sliding = slip(t, pair, x, y) + belt_speed(t, pair, normal_x, normal_y)
     along = -sliding / response(t, pair, x, y, -normal_y, normal_x)
     most = t.pairs.friction[pair] * total
     if along > most:

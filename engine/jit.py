@@ -53,6 +53,7 @@ SOURCES = (
     "pairing",
     "pose",
     "resting",
+    "rubbing",
     "sensing",
     "spring",
     "touches",

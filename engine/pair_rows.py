@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 
+from engine.rubbing import finish_mixing, static_friction
 from engine.settings import Rule
 from engine.tables import RESTING, Tables, arrays
 
@@ -18,6 +19,9 @@ def mix_by_rules(t: Tables, restitution: Rule, friction: Rule) -> None:
         a, b = pairs.a[pair], pairs.b[pair]
         pairs.restitution[pair] = restitution(bodies.restitution[a], bodies.restitution[b])
         pairs.friction[pair] = friction(bodies.friction[a], bodies.friction[b])
+        grip = friction(static_friction(t, a), static_friction(t, b))
+        pairs.static_friction[pair] = max(grip, pairs.friction[pair])
+        finish_mixing(t, pair)
 
 
 def forget(t: Tables, pair_count: int, row: int) -> int:
@@ -45,6 +49,8 @@ def resting_columns(t: Tables, pair_count: int) -> list[Any]:
     state = np.asarray(t.pairs.state)[:pair_count]
     at = np.flatnonzero(state == RESTING)
     columns = [np.asarray(getattr(t.pairs, name))[at] for name in RESTING_STATE]
+    torques = np.asarray(t.pairs.rolling_torque)[at]
+    columns += [torques] if torques.any() else []
     for name in ("normal_impulse", "tangent_impulse", "gap"):
         column = np.asarray(getattr(t.contacts, name))
         for point in (0, 1):

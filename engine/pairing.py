@@ -4,6 +4,7 @@ import math
 
 from engine.broadphase import fit_boxes
 from engine.neighbours import find_neighbours
+from engine.rubbing import mix
 from engine.tables import NEVER, SENSING, Tables, clear_row, copy_row
 
 
@@ -125,19 +126,3 @@ def enlist(t: Tables, row: int, pair: int) -> None:
     """Add a pair to the list of a body."""
     t.links.pair[t.bodies.first_link[row] + t.bodies.links[row]] = pair
     t.bodies.links[row] += 1
-
-
-def mix(t: Tables, pair_count: int) -> None:
-    """Give each pair its coefficients: the larger restitution, the geometric mean of frictions.
-
-    Rules of the world's own, which are Python, are asked afterwards.
-    """
-    bodies = t.bodies
-    pairs = t.pairs
-    for pair in range(pair_count):
-        a = pairs.a[pair]
-        b = pairs.b[pair]
-        one = bodies.restitution[a]
-        other = bodies.restitution[b]
-        pairs.restitution[pair] = one if one > other else other
-        pairs.friction[pair] = math.sqrt(bodies.friction[a] * bodies.friction[b])

@@ -17,6 +17,7 @@ from engine.forces import Force, LinearDrag, QuadraticDrag, Torque
 from engine.joints import KINDS as JOINTS
 from engine.joints import Joint
 from engine.linkage.modes import STRAINED
+from engine.materials import material_name
 from engine.plain import INFINITIES, Decoder, Functions, encode
 from engine.settings import INTEGRATORS, Laws, geometric_mean, larger
 from engine.shapes import Shape
@@ -87,6 +88,9 @@ COUNTS = (
     "bodies.pieces",
     "pieces.corners",
     "bodies.group",
+    "bodies.material",
+    "materials.a",
+    "materials.b",
     "ignored.a",
     "ignored.b",
     "ignored.joint",
@@ -126,7 +130,7 @@ NOT_NEGATIVE = ("mass", "inverse_mass", "inertia", "inverse_inertia", "restituti
 RULES = {"restitution_rule": larger, "friction_rule": geometric_mean}
 """What makes the coefficients of a pair, unless told otherwise."""
 
-KEYS = ("format", "laws", "rules", "handles", "force_laws", "tables")
+KEYS = ("format", "laws", "rules", "handles", "force_laws", "materials", "tables")
 
 
 def to_dict(world: "World") -> dict[str, Any]:
@@ -145,6 +149,7 @@ def to_dict(world: "World") -> dict[str, Any]:
             {"id": each.id, "law": encode(each.law), "bodies": _ids(each, world)}
             for each in saved.force_laws
         ],
+        "materials": sorted(world.store.materials.values()),
         "tables": {
             name: {
                 field: _listed(values)
@@ -188,6 +193,8 @@ def refill(world: "World", data: dict[str, Any], functions: Functions) -> None:
     joints = _joints(world, tables["joints"], handles)
     if joints and joints[-1].id >= tables["state"].next_joint[0]:
         raise ValueError(f"next_joint of a saved world must be beyond {joints[-1].id}")
+    for name in validate.listed(data["materials"], "the materials of a saved world"):
+        world.store.material(material_name(name))
     world.restore(Snapshot(columns | {"counts": counts}, handles, acting, joints))
 
 

@@ -14,6 +14,9 @@ TICK = 1.0 / 60.0
 INTEGRATORS = ("semi-implicit-euler", "velocity-verlet", "explicit-euler", "rk4")
 SEMI_IMPLICIT_EULER, VELOCITY_VERLET, EXPLICIT_EULER, RK4 = range(4)
 
+AS_FRICTION = -1.0
+"""A static friction that is that of what slides."""
+
 Rule = Callable[[float, float], float]
 """Makes the coefficient of a pair from those of its two bodies."""
 

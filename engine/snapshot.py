@@ -11,6 +11,7 @@ from engine.body import Body
 from engine.filters import ALL
 from engine.force_laws import ActingLaw
 from engine.joints import Joint
+from engine.settings import AS_FRICTION
 from engine.tables import Bodies, Pushes, arrays
 
 STATE = (
@@ -19,7 +20,10 @@ STATE = (
 )  # fmt: skip
 """The columns of `Bodies` that tell two worlds apart; the others follow from them."""
 
-UNUSUAL = {"gravity_scale": 1.0, "category": 1, "mask": ALL, "group": 0, "sensor": 0}
+UNUSUAL = {
+    "gravity_scale": 1.0, "category": 1, "mask": ALL, "group": 0, "sensor": 0,
+    "static_friction": AS_FRICTION, "rolling_resistance": 0.0, "surface_speed": 0.0, "material": 0,
+}  # fmt: skip
 """More such columns, hashed only if a body differs from what most have."""
 
 

@@ -14,6 +14,7 @@ from engine.force_laws import ActingLaw, field_columns, field_table
 from engine.joints import Joint
 from engine.linkage.order import put_in_order
 from engine.linkage.tally import BREAKING, BROKEN
+from engine.materials import number_or_none
 from engine.pair_rows import forget, resting_columns
 from engine.pairing import link
 from engine.shapes import Shape
@@ -38,7 +39,9 @@ class Store:
     saved and restored. The others are room for the kernels to write in.
     """
 
-    __slots__ = ("acting", "broken", "handles", "joints", "listened_to", "rows", "tables")
+    __slots__ = (
+        "acting", "broken", "handles", "joints", "listened_to", "materials", "rows", "tables",
+    )  # fmt: skip
 
     def __init__(self) -> None:
         """Make an empty one."""
@@ -56,6 +59,8 @@ class Store:
         """The joints in order of their rows, which is that of their ids."""
         self.broken: list[Joint] = []
         """Joints that broke and have not called back yet."""
+        self.materials: dict[int, str] = {}
+        """Names of materials by their numbers; none is forgotten."""
         state = self.tables.state
         state.next_joint[0] = 1
         state.next_body[0] = state.next_push[0] = state.next_law[0] = 1
@@ -264,6 +269,26 @@ class Store:
             None,
         )
 
+    # Materials.
+
+    def material(self, name: Any) -> int:
+        """Number of a material, whose name is kept; 0 for None."""
+        number = number_or_none(name)
+        if number:
+            self.materials[number] = name
+        return number
+
+    def pair_materials(self, names: tuple[str, str], row: tuple[float, ...]) -> None:
+        """Write what two materials are to each other, in place of what stood there."""
+        for name in names:
+            self.material(name)
+        known = self.tables.materials
+        for i in range(self.count("materials")):
+            if (known.a[i], known.b[i]) == row[:2]:
+                self.drop("materials", i)
+                break
+        self.append("materials", row)
+
     # Laws of force.
 
     def add_law(self, law: ActingLaw) -> None:
@@ -327,6 +352,7 @@ class Store:
                 *field_columns(t.fields),
                 *ignored_columns(t),
                 *(column[: len(self.joints)] for column in arrays(t.joints) if self.joints),
+                *(column[: self.count("materials")] for column in arrays(t.materials)),
             ],
         )
 

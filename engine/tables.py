@@ -65,6 +65,15 @@ class Bodies(NamedTuple):
     """(1/(kg m^2)); 0 keeps a body from turning."""
     restitution: Floats
     friction: Floats
+    """Of what slides, and of what rests unless `static_friction` says otherwise."""
+    static_friction: Floats
+    """Of what rests; `settings.AS_FRICTION` if it is no other."""
+    rolling_resistance: Floats
+    """Lever arm by which the normal force resists rolling (m)."""
+    surface_speed: Floats
+    """Of the surface along the edge (m/s): counter-clockwise; of a wall: from start to end."""
+    material: Ints
+    """Number of its name, see `materials`; 0: none."""
     sensor: Ints
     """1 for a body that notices what overlaps it and acts on nothing."""
     category: Ints
@@ -225,6 +234,15 @@ class Pairs(NamedTuple):
     piece_b: Ints
     restitution: Floats
     friction: Floats
+    """Of what slides."""
+    static_friction: Floats
+    """Of what rests, at least as large."""
+    rolling_resistance: Floats
+    """Lever arm by which the normal force resists rolling (m)."""
+    belt_speed: Floats
+    """Of the surface of b past that of a along the tangent, if the bodies stood still (m/s)."""
+    rolling_torque: Floats
+    """With which the resting contact resisted rolling, on b, in its last part (N m)."""
     size: Floats
     """Reach of the smaller body (m), the scale of all tolerances."""
     state: Ints
@@ -526,6 +544,7 @@ class Counts(NamedTuple):
     ignored: Ints
     parted: Ints
     joints: Ints
+    materials: Ints
 
 
 class State(NamedTuple):
@@ -603,6 +622,19 @@ class Parted(NamedTuple):
     hit_y: Floats
     normal_x: Floats
     normal_y: Floats
+
+
+class Materials(NamedTuple):
+    """One row two materials that have coefficients of their own; -1 where they have none."""
+
+    a: Ints
+    """Numbers of their names, a <= b."""
+    b: Ints
+    restitution: Floats
+    friction: Floats
+    static_friction: Floats
+    rolling_resistance: Floats
+    """(m)"""
 
 
 class Found(NamedTuple):
@@ -697,6 +729,7 @@ class Tables(NamedTuple):
     fields: Fields
     ignored: Ignored
     parted: Parted
+    materials: Materials
     found: Found
     grid: Grid
     progress: Progress

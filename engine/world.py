@@ -16,6 +16,7 @@ from engine.force_laws import ActingLaw, Law, checked_bodies, checked_law, energ
 from engine.forces import Drag, Push
 from engine.inputs import noted
 from engine.joints import Joint, OnBreak, Spec, joint_columns
+from engine.materials import pair_row
 from engine.plain import Functions
 from engine.queries import Choice, Hit, Nearest
 from engine.recording import Recording
@@ -126,6 +127,10 @@ class World:
         spin: float | None = None,
         restitution: float = 0.0,
         friction: float = 0.0,
+        static_friction: float | None = None,
+        rolling_resistance: float = 0.0,
+        surface_speed: float = 0.0,
+        material: str | None = None,
         inertia: float | None = None,
         gravity_scale: float = 1.0,
         sensor: bool = False,
@@ -162,9 +167,12 @@ class World:
         }
         given |= {"spin": spin, "inertia": inertia}
         given |= {"restitution": restitution, "friction": friction}
+        given |= {"static_friction": static_friction, "rolling_resistance": rolling_resistance}
+        given |= {"surface_speed": surface_speed, "material": material}
         given |= {"gravity_scale": gravity_scale, "sensor": sensor}
         given |= {"category": category, "mask": mask, "group": group}
         values = initial_values(shape, given)
+        self.store.material(material)
         id = self.store.new_id("body")
         name_of_shape = type(shape).__name__.lower()
         body = Body(self, id, shape, f"{name_of_shape} {id}" if name is None else str(name))
@@ -177,6 +185,27 @@ class World:
     def remove(self, body: Body) -> None:
         """Take a body, with all that pushes it, out of the world; its handle is then refused."""
         self.store.remove_body(body)
+        self.displaced()
+
+    @noted
+    def set_material_pair(
+        self,
+        a: str,
+        b: str,
+        *,
+        restitution: float | None = None,
+        friction: float | None = None,
+        static_friction: float | None = None,
+        rolling_resistance: float | None = None,
+    ) -> None:
+        """Give two materials, or one with itself, coefficients of their own.
+
+        They hold for two bodies of these materials in place of what the bodies say; what is None is
+        left to the bodies. A second call replaces what the first said.
+        """
+        self.store.pair_materials(
+            (a, b), pair_row(a, b, restitution, friction, static_friction, rolling_resistance)
+        )
         self.displaced()
 
     @noted
