@@ -21,6 +21,20 @@ second (1/s): at rest one sweep is enough."""
 MOST_SWEEPS = 8
 """Sweeps that a part has at most."""
 
+STEADY_SWEEPS = 2
+"""Sweeps of a steady part at most, and twice as many to relax."""
+
+STILL = 1e-5
+"""A sweep of a steady part that changes no velocity by more is the last, in the same unit."""
+
+BARELY = 1e-9
+"""Bodies that moved less since the middle of the part, in reaches of the smaller one, relax where
+they were: what they still exchange is as little."""
+
+TO_RELAX = 2
+"""Sweeps without the spring that a part has at least: they also calm what rocks as a whole, of
+which a sweep takes little."""
+
 
 def kick(t: Tables, resting: int, count: int, part: float) -> None:
     """Find what velocities the bodies have at the end of the part (s); bend their paths to it."""
@@ -33,7 +47,7 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
     brace(t, part)
     warm_start(t, resting)
     for _ in range(MOST_SWEEPS):
-        wild = sweep(t, resting)
+        wild = sweep(t, resting, CALM)
         failed = bind(t, part)
         if not wild and (resting == 0 or failed <= CALM):
             break
@@ -45,7 +59,7 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
             bodies.path_spin[row] = (bodies.kick_spin[row] - bodies.spin[row]) / part
 
 
-def relax(t: Tables, resting: int, count: int, part: float, done: float) -> None:
+def relax(t: Tables, resting: int, count: int, part: float, done: float, steady: bool) -> None:
     """Take back, at the end of a part (s), the velocity that correcting overlaps has lent.
 
     `done` is the share of the part after which it ended.
@@ -64,16 +78,19 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float) -> None
         pair = t.pairs.resting[k]
         if t.pairs.state[pair] == RESTING:
             remember(t, pair)
-            follow(t, pair)
+            follow(t, pair, BARELY)
             stiffen(t, pair, part)
             t.pairs.resting[left] = pair
             left += 1
     prepare_ease(t, part, done)
-    for _ in range(MOST_SWEEPS):
-        wild = sweep(t, left)
-        failed = ease(t)
-        if not wild and (left == 0 or failed <= CALM):
-            break
+    if steady:
+        sweep_until_calm(t, left, 2 * STEADY_SWEEPS, STILL)
+    else:
+        for i in range(1, MOST_SWEEPS + 1):
+            wild = sweep(t, left, CALM)
+            failed = ease(t)
+            if not wild and (left == 0 or (failed <= CALM and i >= TO_RELAX)):
+                break
     add_up(t)
     for row in range(count):
         if bodies.held[row] > 0:
@@ -148,12 +165,22 @@ def warm_start(t: Tables, resting: int) -> None:
             kick_spin[b] += bodies.inverse_inertia[b] * turn_b
 
 
-def sweep(t: Tables, resting: int) -> bool:
+def sweep_until_calm(t: Tables, resting: int, most: int, calm: float) -> bool:
+    """Solve all resting pairs one after the other, again while that changes more than `calm` (1/s),
+    `most` times at most; return whether it became calm.
+    """
+    for _ in range(most):  # noqa: SIM110, a loop that can be compiled
+        if not sweep(t, resting, calm):
+            return True
+    return False
+
+
+def sweep(t: Tables, resting: int, calm: float) -> bool:
     """Solve each resting pair once, along the normal, then against the sliding and the rolling.
 
     What slides faster than static friction can stop is braked by kinetic friction.
 
-    Returns whether a normal velocity changed much.
+    Returns whether a normal velocity changed by more than `calm` (reaches a second).
     """
     bodies = t.bodies
     pairs = t.pairs
@@ -179,7 +206,7 @@ def sweep(t: Tables, resting: int) -> bool:
         ny = pairs.normal_y[pair]
         grip = pairs.static_friction[pair]
         friction = pairs.friction[pair]
-        still = CALM * pairs.size[pair]
+        still = calm * pairs.size[pair]
         mass_a = bodies.inverse_mass[a]
         mass_b = bodies.inverse_mass[b]
         mass = mass_a + mass_b

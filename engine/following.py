@@ -20,32 +20,35 @@ TURN = 4.0
 """So often does what turns the normal count: rotation, and any way of a round body."""
 
 
-def follow(t: Tables, pair: int) -> None:
-    """Measure the contact for the middle poses of its bodies: from what was, or by geometry."""
+def follow(t: Tables, pair: int, least: float) -> None:
+    """Measure the contact for the middle poses of its bodies, if these moved by more than `least`
+    (reaches of the smaller one).
+    """
     bodies = t.bodies
     pairs = t.pairs
     contacts = t.contacts
     a = pairs.a[pair]
     b = pairs.b[pair]
+    piece_a = pairs.piece_a[pair]
+    piece_b = pairs.piece_b[pair]
     way_x = bodies.middle_x[b] - bodies.middle_x[a]
     way_y = bodies.middle_y[b] - bodies.middle_y[a]
     x = way_x - pairs.seen_x[pair]
     y = way_y - pairs.seen_y[pair]
-    piece_a = pairs.piece_a[pair]
-    piece_b = pairs.piece_b[pair]
     turn_a = 0.0
     turn_b = 0.0
     if t.pieces.swing[piece_a] > 0.0:
         turn_a = bodies.middle_angle[a] - pairs.seen_angle_a[pair]
     if t.pieces.swing[piece_b] > 0.0:
         turn_b = bodies.middle_angle[b] - pairs.seen_angle_b[pair]
-    if x == 0.0 and y == 0.0 and turn_a == 0.0 and turn_b == 0.0:
-        return
     size = pairs.size[pair]
+    moved = abs(x) + abs(y)
     turned = (abs(turn_a) + abs(turn_b)) * size
-    pairs.drift[pair] += abs(x) + abs(y) + TURN * turned
+    if moved + turned <= least * size:
+        return
     if t.pieces.corners[piece_a] == 1 or t.pieces.corners[piece_b] == 1:
-        pairs.drift[pair] += TURN * (abs(x) + abs(y))
+        moved *= 1.0 + TURN
+    pairs.drift[pair] += moved + TURN * turned
     pairs.seen_x[pair] = way_x
     pairs.seen_y[pair] = way_y
     pairs.seen_angle_a[pair] = bodies.middle_angle[a]
@@ -72,6 +75,11 @@ def follow(t: Tables, pair: int) -> None:
         contacts.tangent_arm_a[row] = tangent_arm
         contacts.normal_arm_b[row] = normal_arm + way_t
         contacts.tangent_arm_b[row] = tangent_arm - way_n
+
+
+def has_drifted(t: Tables, pair: int) -> bool:
+    """Whether the points of a pair have to be found anew."""
+    return t.pairs.points[pair] == 0 or t.pairs.drift[pair] > DRIFT * t.pairs.size[pair]
 
 
 def share_of_b(t: Tables, pair: int) -> float:

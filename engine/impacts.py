@@ -17,6 +17,10 @@ from engine.rubbing import belt_speed
 from engine.tables import FREE, RESTING, Bodies, Tables
 from engine.touches import note_impact
 
+BOUNCES = 2
+"""So many flights on end of less than a substep are none, unless bodies are perfectly elastic: what
+drums on its neighbours in a heap rests on them."""
+
 AGAIN = 6.0
 """Bodies that met within so many substeps have just met."""
 
@@ -53,8 +57,12 @@ def strike(
     if one < 0:
         return t.pairs.state[pair] == RESTING
     restitution = t.pairs.restitution[pair]
-    again = now + time - t.pairs.struck[pair] < shortest * AGAIN
+    flown = now + time - t.pairs.struck[pair]
+    t.pairs.bounces[pair] = t.pairs.bounces[pair] + 1 if flown < shortest else 0
+    again = flown < shortest * AGAIN
     rests = plastic or stays(t, pair, restitution * speed, shortest, again)
+    if restitution < 1.0 and t.pairs.bounces[pair] >= BOUNCES:
+        rests = True
     bounce = 1.0 if rests else 1.0 + restitution
     if bodies.joined[a] == 1 or bodies.joined[b] == 1:
         exchange_with_joints(t, pair, one, other, bounce, now, time)

@@ -56,6 +56,7 @@ SOURCES = (
     "rubbing",
     "sensing",
     "spring",
+    "steady",
     "touches",
     "travel",
     "tick",

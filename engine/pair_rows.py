@@ -8,7 +8,9 @@ from engine.rubbing import finish_mixing, static_friction
 from engine.settings import Rule
 from engine.tables import RESTING, Tables, arrays
 
-RESTING_STATE = ("piece_a", "piece_b", "points", "carried", "part", "drift", "seen_x", "seen_y")
+RESTING_STATE = (
+    "piece_a", "piece_b", "points", "carried", "part", "steady", "drift", "seen_x", "seen_y",
+)  # fmt: skip
 """Columns of `Pairs` that tell two worlds apart where pairs rest."""
 
 
@@ -51,7 +53,7 @@ def resting_columns(t: Tables, pair_count: int) -> list[Any]:
     columns = [np.asarray(getattr(t.pairs, name))[at] for name in RESTING_STATE]
     torques = np.asarray(t.pairs.rolling_torque)[at]
     columns += [torques] if torques.any() else []
-    for name in ("normal_impulse", "tangent_impulse", "gap"):
+    for name in ("normal_impulse", "tangent_impulse", "normal_load", "tangent_load", "gap"):
         column = np.asarray(getattr(t.contacts, name))
         for point in (0, 1):
             used = np.asarray(t.pairs.points)[at] > point

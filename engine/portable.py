@@ -68,6 +68,7 @@ AT_MOST = {
     "pairs.points": 2,
     "pairs.state": 3,
     "pairs.queued": 1,
+    "pairs.steady": 1,
     "bodies.moves": 1,
     "bodies.sensor": 1,
     "bodies.category": ALL,
@@ -84,6 +85,8 @@ AT_MOST = {
 COUNTS = (
     "bodies.id",
     "bodies.held",
+    "bodies.calm",
+    "pairs.bounces",
     "bodies.corners",
     "bodies.pieces",
     "pieces.corners",

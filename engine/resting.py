@@ -6,10 +6,11 @@ impact; there is no speed below which bodies do not bounce.
 """
 
 from engine.contacts import kick
-from engine.following import DRIFT, find_points, follow
+from engine.following import find_points, follow, has_drifted
 from engine.impacts import acceleration, stays, strike
 from engine.meeting import NOWHERE, STILL, approach_at, notice_passing, slides_over, wall_of
 from engine.spring import frequency, softness, softness_left
+from engine.steady import let_go
 from engine.tables import FREE, IMPACTS_AT_ONCE, RESTING, Tables
 from engine.touches import collect_last_part, leave, touch
 
@@ -51,6 +52,7 @@ def settle(t: Tables, count: int, pair_count: int, shortest: float) -> int:
             touch(t, pair)
             pairs.state[pair] = RESTING
             pairs.carried[pair] = 0.0
+            pairs.steady[pair] = 0
             pairs.points[pair] = 0
         if pairs.state[pair] == RESTING:
             pairs.resting[resting] = pair
@@ -127,9 +129,11 @@ def hold(t: Tables, count: int, resting: int, now: float, part: float, substep: 
                 continue
             if not again:
                 collect_last_part(t, pair)
+            if t.pairs.steady[pair] == 1:
+                let_go(t, pair, substep)
             if t.pairs.points[pair] > 0:
-                follow(t, pair)
-            if t.pairs.points[pair] == 0 or t.pairs.drift[pair] > DRIFT * t.pairs.size[pair]:
+                follow(t, pair, 0.0)
+            if has_drifted(t, pair):
                 find_points(t, pair, part / 2.0)
             a = t.pairs.a[pair]
             b = t.pairs.b[pair]

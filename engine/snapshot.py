@@ -16,7 +16,7 @@ from engine.tables import Bodies, Pushes, arrays
 
 STATE = (
     "id", "x", "y", "angle", "vx", "vy", "spin", "mass", "inertia", "restitution", "friction",
-    "force_x", "force_y", "torque", "held",
+    "force_x", "force_y", "torque", "held", "calm",
 )  # fmt: skip
 """The columns of `Bodies` that tell two worlds apart; the others follow from them."""
 

@@ -7,7 +7,10 @@ from engine.tables import Tables
 DAMPING = 10.0
 """Damping ratio of the spring: overlaps creep apart and never swing."""
 
-MOST_HERTZ = 60.0
+SWING = 0.25
+"""Part of a swing of the spring that a substep lasts, at most."""
+
+MOST_HERTZ = 90.0
 """Frequency of the spring (1/s), for substeps that are short enough to follow it."""
 
 SAG = 2e-3
@@ -17,7 +20,7 @@ would press deeper, the spring is made stiffer."""
 
 def frequency(substep: float) -> float:
     """Circular frequency of the spring (1/s) in a world of such substeps (s)."""
-    hertz = 0.25 / substep
+    hertz = SWING / substep
     if hertz > MOST_HERTZ:
         hertz = MOST_HERTZ
     return 2.0 * math.pi * hertz

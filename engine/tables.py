@@ -93,6 +93,15 @@ class Bodies(NamedTuple):
     """Number of resting contacts at the end of the last tick, one more for joined bodies."""
     joined: Ints
     """1 for a body that moves and that a joint holds."""
+    calm: Ints
+    """For how many ticks the body has rested and been calm."""
+    last_x: Floats
+    """Pose and velocity when that was last looked at (m, m/s)."""
+    last_y: Floats
+    last_angle: Floats
+    """(rad)"""
+    last_vx: Floats
+    last_vy: Floats
 
     moves: Ints
     """0 for a body that stays where it is: its corners are placed once, when it is added."""
@@ -256,6 +265,8 @@ class Pairs(NamedTuple):
     """Change of normal velocity that the resting contact brought about in its last part (m/s)."""
     part: Floats
     """Length of that part (s)."""
+    steady: Ints
+    """1 if that part was a steady one."""
     seen_x: Floats
     """From the centre of a to that of b, when the contact was last measured (m)."""
     seen_y: Floats
@@ -276,6 +287,8 @@ class Pairs(NamedTuple):
     hit_x: Floats
     """Where their last impact was (m, world)."""
     hit_y: Floats
+    bounces: Ints
+    """How many flights on end were shorter than a substep."""
     struck: Floats
     """Time of the last impact since the present tick began (s), mostly negative."""
     meeting: Floats
@@ -315,6 +328,9 @@ class Contacts(NamedTuple):
     normal_impulse: Floats
     """Summed over the part (N s)."""
     tangent_impulse: Floats
+    normal_load: Floats
+    """What bears the forces in a steady part; the rest stops what still moves (N)."""
+    tangent_load: Floats
 
 
 class Touch(NamedTuple):

@@ -17,10 +17,12 @@ from engine.resting import (
     count_holds,
     explained_speed,
     hold,
+    place_middle,
     settle,
 )
 from engine.sensing import sense_at_end, sense_passing
 from engine.settings import EXPLICIT_EULER, SEMI_IMPLICIT_EULER
+from engine.steady import balance, is_steady
 from engine.tables import FREE, IMPACTS_AT_ONCE, NEVER, RESTING, Bodies, Tables
 from engine.touches import collect, take_back, touch
 
@@ -91,15 +93,8 @@ def travel(
     """
     while now < dt:
         resting = settle(t, count, pair_count, substep)
+        part, held, steady = plan(t, count, resting, now, dt, substep)
         joined = t.braces.sizes[0]
-        part = dt - now
-        if resting > 0 or joined > 0:
-            shortest = part_for_joints(t, substep)
-            if shortest < part * (1.0 - 1e-9):
-                part = shortest
-        held = 0
-        if resting > 0 or joined > 0:
-            held = hold(t, count, resting, now, part, substep)
         first = t.impacts.written[0]
         measure_ways(t, count, part)
         if t.progress.sensing[0] > 0:
@@ -108,13 +103,15 @@ def travel(
         status = DONE
         reached = part
         if queued > 0:
-            status, reached = meet_all(t, queued, held + joined, now, part, dt, substep, limit)
+            status, reached = meet_all(
+                t, queued, held + joined, steady, now, part, dt, substep, limit
+            )
         advance_all(t.bodies, count, reached)
         if held > 0 or joined > 0:
             if reached < part:
                 take_back(t, held, 1.0 - reached / part)
             correct_arms(t, held, count, first, now, part, reached)
-            relax(t, held, count, part, reached / part)
+            relax(t, held, count, part, reached / part, steady)
         now = dt if reached >= part and part == dt - now else now + reached
         if status != DONE and now < dt:
             return status, now
@@ -129,10 +126,31 @@ def travel(
     return DONE, dt
 
 
+def plan(
+    t: Tables, count: int, resting: int, now: float, dt: float, substep: float
+) -> tuple[float, int, bool]:
+    """Choose the length of the next part of the tick (s), and bend the paths of what is held.
+
+    Returns the length, the number of pairs that rest in it, and whether they do so steadily.
+    """
+    part = dt - now
+    if resting == 0 and t.braces.sizes[0] == 0:
+        return part, 0, False
+    if now == 0.0 and t.braces.sizes[0] == 0 and is_steady(t, count, resting, dt):
+        place_middle(t, count, dt / 2.0)
+        if balance(t, count, resting, dt):
+            return part, resting, True
+    shortest = part_for_joints(t, substep)
+    if shortest < part * (1.0 - 1e-9):
+        part = shortest
+    return part, hold(t, count, resting, now, part, substep), False
+
+
 def meet_all(
     t: Tables,
     queued: int,
     held: int,
+    steady: bool,
     now: float,
     part: float,
     dt: float,
@@ -140,7 +158,7 @@ def meet_all(
     limit: int,
 ) -> tuple[int, float]:
     """Let all impacts of a part happen in order of time; return the status and the time reached."""
-    status, reached, queued = meet_in_order(t, queued, held, now, part, dt, substep, limit)
+    status, reached, queued = meet_in_order(t, queued, held, steady, now, part, dt, substep, limit)
     for at in range(queued):
         t.pairs.queued[t.pairs.queue[at]] = 0
     return status, reached
@@ -150,6 +168,7 @@ def meet_in_order(
     t: Tables,
     queued: int,
     held: int,
+    steady: bool,
     now: float,
     part: float,
     dt: float,
@@ -194,6 +213,9 @@ def meet_in_order(
             return DONE, time, queued
         if t.bodies.joined[a] == 1 or t.bodies.joined[b] == 1:
             queued = look_at_joined(t, time, part, queued, written[1] < 2 * limit)
+        # What rests cannot wait for the end of a steady tick once something hits it.
+        if steady and (rests or t.bodies.held[a] > 0 or t.bodies.held[b] > 0):
+            cut = True
         left = dt - now - time
         if has_escaped(t, a, left) or has_escaped(t, b, left):
             escaped = True

@@ -223,7 +223,7 @@ def test_casts_agree_with_marching_along_the_ray(
                 assert gap < 1e-4
                 assert hit.fraction * way == pytest.approx(gone, abs=1e-3)
         else:
-            assert gap > 0
+            assert gap > -1e-9  # the end of the way may just touch
 
 
 def overlap(one: list[Vector], other: list[Vector]) -> bool:

@@ -1,0 +1,172 @@
+"""What rests and does not move needs no substeps: forces alone are balanced, once a tick.
+
+Impulses that stop what still moves must not be taken for loads that last, or heaps would rock
+themselves up. So the sweep starts from the loads of the last part and balances the accelerations;
+what velocity the bodies have is left to the pass without springs at the end of the part. Contacts
+are rigid meanwhile: overlaps stay as they are.
+"""
+
+from engine.contacts import STEADY_SWEEPS, STILL, stiffen, sweep_until_calm, warm_start
+from engine.following import find_points, follow, has_drifted
+from engine.tables import Tables
+from engine.touches import touch
+
+SLOW = 2e-5
+"""Bodies that move slower are calm, in reaches of each a second (1/s)."""
+
+FAST = 2e-4
+"""Bodies that move faster are no longer calm, in the same unit: one look a tick lags behind what
+leans, so that high towers begin to sway."""
+
+EVEN = 0.1
+"""Share that counts of what changes a disc's velocity: discs may roll, if they do it evenly."""
+
+ROLLING = 0.1
+"""Discs that roll faster are not calm: they may soon leave what they rest on, in reaches a second
+(1/s)."""
+
+LONG = 12
+"""Ticks for which all that rests must have been calm to be steady: what swings stands still too,
+where it turns."""
+
+BALANCED = 1e-3
+"""One sweep that changes no velocity by more has balanced the forces, in reaches a second (1/s)."""
+
+
+def is_steady(t: Tables, count: int, resting: int, dt: float) -> bool:
+    """Whether all that rests, on nothing that runs, has rested before and hardly moved for long.
+
+    Counts ticks (of `dt` seconds): to be called once a tick.
+    """
+    bodies = t.bodies
+    steady = True
+    for row in range(count):
+        if bodies.held[row] == 0:
+            bodies.calm[row] = 0
+        else:
+            watch(t, row, dt)
+            steady = steady and bodies.calm[row] >= LONG
+    if steady:
+        for k in range(resting):
+            pair = t.pairs.resting[k]
+            if t.pairs.points[pair] == 0 or t.pairs.belt_speed[pair] != 0.0:
+                return False
+    return steady
+
+
+def watch(t: Tables, row: int, dt: float) -> None:
+    """Count for how many ticks (of `dt` seconds) a body has been calm.
+
+    What moves, though it has no velocity, is being pushed out of an overlap.
+    """
+    bodies = t.bodies
+    reach = bodies.reach[row]
+    vx = bodies.vx[row]
+    vy = bodies.vy[row]
+    spin = bodies.spin[row] * reach
+    x = bodies.x[row] - bodies.last_x[row]
+    y = bodies.y[row] - bodies.last_y[row]
+    turn = (bodies.angle[row] - bodies.last_angle[row]) * reach
+    speed = abs(vx) + abs(vy) + abs(spin)
+    moved = (abs(x) + abs(y) + abs(turn)) / dt
+    if bodies.pieces[row] == 1 and t.pieces.swing[bodies.first_piece[row]] == 0.0:
+        if speed <= ROLLING * reach:
+            change = abs(vx - bodies.last_vx[row]) + abs(vy - bodies.last_vy[row])
+            speed = EVEN * change
+        moved = EVEN * (abs(x / dt - vx) + abs(y / dt - vy) + abs(turn / dt - spin))
+    bodies.last_x[row] = bodies.x[row]
+    bodies.last_y[row] = bodies.y[row]
+    bodies.last_angle[row] = bodies.angle[row]
+    bodies.last_vx[row] = vx
+    bodies.last_vy[row] = vy
+    if moved > speed:
+        speed = moved
+    if speed <= SLOW * reach or (speed <= FAST * reach and bodies.calm[row] >= LONG):
+        bodies.calm[row] += 1
+    else:
+        bodies.calm[row] = 0
+
+
+def balance(t: Tables, count: int, resting: int, part: float) -> bool:
+    """Bear the forces for a part of the tick (s) and bend the paths of what rests accordingly.
+
+    Bodies are noted at their middle poses. Returns whether that took no more than one sweep; if it
+    did, the loads are still good to start from.
+    """
+    bodies = t.bodies
+    contacts = t.contacts
+    for k in range(resting):
+        pair = t.pairs.resting[k]
+        take_up(t, pair, part)
+        follow(t, pair, 0.0)
+        if has_drifted(t, pair):
+            find_points(t, pair, part / 2.0)
+        stiffen(t, pair, part)
+        foresee(t, pair)
+    for row in range(count):
+        if bodies.held[row] > 0:
+            bodies.kick_x[row] = bodies.ax[row] * part
+            bodies.kick_y[row] = bodies.ay[row] * part
+            bodies.kick_spin[row] = bodies.aspin[row] * part
+    warm_start(t, resting)
+    balanced = sweep_until_calm(t, resting, 1, BALANCED)
+    if balanced:
+        for k in range(resting):
+            touch(t, t.pairs.resting[k])
+        sweep_until_calm(t, resting, STEADY_SWEEPS, STILL)
+    for k in range(resting):
+        pair = t.pairs.resting[k]
+        for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
+            contacts.normal_load[row] = contacts.normal_impulse[row] / part
+            contacts.tangent_load[row] = contacts.tangent_impulse[row] / part
+    for row in range(count):
+        if bodies.held[row] > 0:
+            bodies.path_x[row] = bodies.kick_x[row] / part
+            bodies.path_y[row] = bodies.kick_y[row] / part
+            bodies.path_spin[row] = bodies.kick_spin[row] / part
+            bodies.kick_x[row] += bodies.vx[row]
+            bodies.kick_y[row] += bodies.vy[row]
+            bodies.kick_spin[row] += bodies.spin[row]
+    return balanced
+
+
+def foresee(t: Tables, pair: int) -> None:
+    """Count with how fast what gapes already closes: only accelerations are balanced."""
+    bodies = t.bodies
+    contacts = t.contacts
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
+        if contacts.target[row] > 0.0:
+            vx = bodies.vx[b] - bodies.vx[a]
+            vy = bodies.vy[b] - bodies.vy[a]
+            opening = vx * t.pairs.normal_x[pair] + vy * t.pairs.normal_y[pair]
+            opening += bodies.spin[b] * contacts.normal_arm_b[row]
+            contacts.target[row] += opening - bodies.spin[a] * contacts.normal_arm_a[row]
+
+
+def take_up(t: Tables, pair: int, part: float) -> None:
+    """Let a contact start a steady part (s) from the load of its last part."""
+    contacts = t.contacts
+    before = t.pairs.part[pair]
+    for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
+        if t.pairs.steady[pair] == 0:
+            contacts.normal_load[row] = contacts.normal_impulse[row] / before
+            contacts.tangent_load[row] = contacts.tangent_impulse[row] / before
+        contacts.normal_impulse[row] = contacts.normal_load[row] * part
+        contacts.tangent_impulse[row] = contacts.tangent_load[row] * part
+    if t.pairs.steady[pair] == 0:
+        t.pairs.carried[pair] *= part / before
+    t.pairs.steady[pair] = 1
+    t.pairs.part[pair] = part
+
+
+def let_go(t: Tables, pair: int, substep: float) -> None:
+    """Let a contact that was steady go on as if it had borne its load for a substep (s)."""
+    contacts = t.contacts
+    for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
+        contacts.normal_impulse[row] = contacts.normal_load[row] * substep
+        contacts.tangent_impulse[row] = contacts.tangent_load[row] * substep
+    t.pairs.carried[pair] *= substep / t.pairs.part[pair]
+    t.pairs.part[pair] = substep
+    t.pairs.steady[pair] = 0

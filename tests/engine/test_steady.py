@@ -1,0 +1,101 @@
+"""What rests steadily is balanced once a tick, and wakes at once when something happens to it."""
+
+import math
+
+import pytest
+
+from engine import Body, Circle, Force, Polygon, Wall, World
+
+G = 9.81
+
+
+def pyramid(base: int = 4) -> tuple[World, list[Body]]:
+    world = World(gravity=(0, -G), integrator="velocity-verlet")
+    world.add(Wall((-20, 0), (20, 0)), friction=0.6)
+    boxes = [
+        world.add(Polygon.box(1, 1), position=(1.05 * (i - (base - row) / 2), row + 0.5))
+        for row in range(base)
+        for i in range(base - row)
+    ]
+    for box in boxes:
+        box.friction = 0.6
+    return world, boxes
+
+
+def steady_pairs(world: World) -> int:
+    pairs = world.tables.pairs
+    return sum(pairs.steady[i] for i in range(world.tables.counts.pairs[0]) if pairs.state[i] == 1)
+
+
+def test_a_pyramid_becomes_steady_and_stays_where_it_is() -> None:
+    world, boxes = pyramid()
+    for _ in range(300):
+        world.step()
+    assert steady_pairs(world) > 0
+    places = [box.position for box in boxes]
+    for _ in range(600):
+        assert world.step() == []
+        assert max(box.speed for box in boxes) < 2e-4
+    assert max(math.dist(box.position, p) for box, p in zip(boxes, places, strict=True)) < 1e-4
+
+
+def test_what_hits_a_steady_pyramid_hits_it_in_time() -> None:
+    """A ball that falls 2 m arrives after sqrt(2 h / g), and only loses energy."""
+    world, boxes = pyramid()
+    for _ in range(300):
+        world.step()
+    top = max(box.y for box in boxes) + 0.5
+    above = next(box.x for box in boxes if box.y > top - 0.6)
+    world.add(Circle(0.2), position=(above, top + 2.2), mass=2, restitution=0.5)
+    began, energy = world.time, world.kinetic_energy + world.potential_energy
+    collisions = [c for _ in range(60) for c in world.step()]
+    assert collisions[0].time - began == pytest.approx(math.sqrt(2 * 2 / G), abs=1e-6)
+    assert max(box.speed for box in boxes) > 1e-4
+    assert world.kinetic_energy + world.potential_energy < energy
+
+
+def test_steady_bodies_slide_as_soon_as_friction_is_not_enough() -> None:
+    """a = g (sin - mu cos) from the tick in which gravity is turned."""
+    world = World(gravity=(0, -G), integrator="velocity-verlet")
+    world.add(Wall((-10, 0), (60, 0)), friction=0.3)
+    box = world.add(Polygon.box(1, 1), position=(0, 0.5), friction=0.3)
+    for _ in range(120):
+        world.step()
+    assert steady_pairs(world) == 1
+    angle = math.radians(25)
+    world.gravity = (G * math.sin(angle), -G * math.cos(angle))
+    start = box.x
+    for _ in range(60):
+        world.step()
+    a = G * (math.sin(angle) - 0.3 * math.cos(angle))
+    assert box.vx == pytest.approx(a, rel=1e-3)
+    assert box.x - start == pytest.approx(a / 2, rel=1e-3)
+
+
+def test_free_bodies_that_are_pressed_together_keep_their_momentum() -> None:
+    world = World()
+    left = world.add(Polygon.box(1, 1), position=(0, 0), friction=0.5, mass=2)
+    right = world.add(Polygon.box(1, 1), position=(1, 0), friction=0.5)
+    left.exert(Force(3, 0))
+    right.exert(Force(-3, 0))
+    for _ in range(120):
+        world.step()
+    assert world.momentum == pytest.approx((0, 0), abs=1e-13)
+    assert steady_pairs(world) == 1
+    assert right.x - left.x == pytest.approx(1, abs=1e-4)
+
+
+@pytest.mark.parametrize("after", [150, 400])
+def test_a_world_continues_from_a_snapshot_bit_for_bit(after: int) -> None:
+    world, boxes = pyramid(3)
+    for _ in range(after):
+        world.step()
+    saved = world.snapshot()
+    digests = []
+    for _ in range(2):
+        world.restore(saved)
+        boxes[-1].exert(Force(2, 0), duration=0.5)
+        for _ in range(60):
+            world.step()
+        digests.append(world.digest())
+    assert digests[0] == digests[1]
