@@ -9,7 +9,7 @@ from engine.joints import Distance, Joint, Pin, Pulley, Rope, Slider, Spring, We
 from engine.queries import Hit, Nearest
 from engine.recording import Recording
 from engine.replay import Divergence, replay
-from engine.settings import TICK
+from engine.settings import TICK, Sleep
 from engine.shapes import (
     Box,
     Capsule,
@@ -58,6 +58,7 @@ __all__ = [
     "Removed",
     "Rope",
     "Shape",
+    "Sleep",
     "Slider",
     "Snapshot",
     "Spring",

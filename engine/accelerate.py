@@ -55,6 +55,25 @@ def accelerate(
         first = last
 
 
+def act_on(bodies: Bodies, row: int, fields: Fields, laws: Laws, dt: float) -> None:
+    """Let gravity and fields act for a tick on one body that nothing pushes and that stood."""
+    bodies.ax[row] = bodies.ay[row] = bodies.aspin[row] = 0.0
+    bodies.lead_x[row] = bodies.lead_y[row] = bodies.lead_spin[row] = 0.0
+    fielded = fields.used[0]
+    everyone = 0
+    while everyone < fielded and fields.row[everyone] == EVERY_BODY:
+        everyone += 1
+    first = everyone
+    while first < fielded and fields.row[first] < row:
+        first += 1
+    last = first
+    while last < fielded and fields.row[last] == row:
+        last += 1
+    immerse(bodies, row, fields, everyone, first, last, laws, dt)
+    bodies.force_x[row] = bodies.mass[row] * bodies.ax[row]
+    bodies.force_y[row] = bodies.mass[row] * bodies.ay[row]
+
+
 def push(bodies: Bodies, count: int, pushes: Pushes, pushing: int, dt: float) -> None:
     """Add up the pushes; one that ends within the tick counts for the part that it lasts.
 

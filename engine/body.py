@@ -70,14 +70,14 @@ class Body:
     def kind(self) -> str:
         """It is "dynamic", "kinematic" or "static"; see `World.add`."""
         row, bodies = self._row(), self._world.bodies
-        if bodies.inverse_mass[row] > 0.0:
+        if bodies.mass[row] < math.inf:
             return "dynamic"
         return "kinematic" if bodies.moves[row] else "static"
 
     @property
     def is_dynamic(self) -> bool:
         """Whether forces and impulses move it."""
-        return self._world.bodies.inverse_mass[self._row()] > 0.0
+        return self._world.bodies.mass[self._row()] < math.inf
 
     @property
     def position(self) -> Vector:
@@ -270,6 +270,16 @@ class Body:
         self._world.bodies.gravity_scale[row] = validate.finite(value, "gravity_scale")
 
     @property
+    def is_asleep(self) -> bool:
+        """Whether it came to rest and sleeps; see `Sleep`."""
+        return self._world.bodies.asleep[self._row()] == 1
+
+    @noted
+    def wake(self) -> None:
+        """Wake it, and those that it rests on and that rest on it."""
+        self._world.store.wake(self._row())
+
+    @property
     def is_sensor(self) -> bool:
         """Whether it only notices what overlaps it; see `World.contacts`."""
         return self._world.bodies.sensor[self._row()] == 1
@@ -436,4 +446,5 @@ class Body:
         row = self._row()
         if self.is_wall:
             raise ValueError(f"a wall is immovable: {self.name} takes no {what}")
+        self._world.store.wake(row)
         return row

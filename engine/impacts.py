@@ -14,6 +14,7 @@ from engine.manifolds.any_pair import touching_points
 from engine.meeting import STILL
 from engine.pose import advance, place
 from engine.rubbing import belt_speed
+from engine.sleeping import wake
 from engine.tables import FREE, RESTING, Bodies, Tables
 from engine.touches import note_impact
 
@@ -48,6 +49,8 @@ def strike(
     bodies = t.bodies
     a = t.pairs.a[pair]
     b = t.pairs.b[pair]
+    if bodies.asleep[a] != bodies.asleep[b]:
+        wake(t, a if bodies.asleep[a] == 1 else b)
     advance(bodies, a, time)
     advance(bodies, b, time)
     place(bodies, t.corners, a, time)

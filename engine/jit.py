@@ -55,6 +55,7 @@ SOURCES = (
     "resting",
     "rubbing",
     "sensing",
+    "sleeping",
     "spring",
     "steady",
     "touches",

@@ -36,6 +36,7 @@ def set_off(store: "Store", row: int, velocity: Vector, spin: float, substeps: i
     bodies.vx[row], bodies.vy[row], bodies.spin[row] = velocity.x, velocity.y, spin
     if bodies.inverse_mass[row] > 0.0:
         return
+    store.wake_all()
     substep = (t.state.dt[0] or TICK) / substeps
     for pair in range(store.count("pairs")):
         if pairs.state[pair] == RESTING and row in (pairs.a[pair], pairs.b[pair]):

@@ -63,7 +63,8 @@ def may_touch(t: Tables, a: int, b: int) -> bool:
     if body_a == body_b:
         return False
     bodies = t.bodies
-    if bodies.inverse_mass[body_a] == 0.0 and bodies.inverse_mass[body_b] == 0.0:
+    deaf = bodies.inverse_mass[body_a] == 0.0 and bodies.inverse_mass[body_b] == 0.0
+    if deaf and bodies.asleep[body_a] == 0 and bodies.asleep[body_b] == 0:
         return False
     if bodies.category[body_a] & bodies.mask[body_b] == 0:
         return False

@@ -6,6 +6,7 @@ from engine.broadphase import fit_boxes
 from engine.neighbours import find_neighbours
 from engine.rubbing import mix
 from engine.tables import NEVER, SENSING, Tables, clear_row, copy_row
+from engine.touches import part_with
 
 
 def find_pairs(t: Tables, dt: float) -> bool:
@@ -42,11 +43,14 @@ def rearrange(t: Tables, before: int, found: int) -> None:
         a = t.found.a[k]
         b = t.found.b[k]
         while old < before and comes_before(pairs.piece_a[old], pairs.piece_b[old], a, b):
+            part_with(t, old)
             old += 1
         known[k] = -1
         if old < before and pairs.piece_a[old] == a and pairs.piece_b[old] == b:
             known[k] = old
             old += 1
+    for lost in range(old, before):
+        part_with(t, lost)
     for k in range(found - 1, -1, -1):
         if 0 <= known[k] < k:
             move(t, known[k], k)

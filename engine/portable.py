@@ -66,11 +66,14 @@ ROWS_OF = {
 
 AT_MOST = {
     "pairs.points": 2,
-    "pairs.state": 3,
+    "pairs.state": 4,
     "pairs.queued": 1,
     "pairs.steady": 1,
     "bodies.moves": 1,
     "bodies.sensor": 1,
+    "bodies.asleep": 1,
+    "bodies.restless": 1,
+    "bodies.anchored": 1,
     "bodies.category": ALL,
     "bodies.mask": ALL,
     "pieces.one_sided": 1,

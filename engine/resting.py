@@ -9,6 +9,7 @@ from engine.contacts import kick
 from engine.following import find_points, follow, has_drifted
 from engine.impacts import acceleration, stays, strike
 from engine.meeting import NOWHERE, STILL, approach_at, notice_passing, slides_over, wall_of
+from engine.sleeping import wake
 from engine.spring import frequency, softness, softness_left
 from engine.steady import let_go
 from engine.tables import FREE, IMPACTS_AT_ONCE, RESTING, Tables
@@ -50,6 +51,9 @@ def settle(t: Tables, count: int, pair_count: int, shortest: float) -> int:
             notice_passing(t, pair)
         if pairs.state[pair] == FREE and nearly_touch(t, pair) and comes_to_rest(t, pair, shortest):
             touch(t, pair)
+            if t.bodies.asleep[pairs.a[pair]] != t.bodies.asleep[pairs.b[pair]]:
+                wake(t, pairs.a[pair])
+                wake(t, pairs.b[pair])
             pairs.state[pair] = RESTING
             pairs.carried[pair] = 0.0
             pairs.steady[pair] = 0

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from engine import validate
@@ -35,9 +36,35 @@ class Laws(NamedTuple):
     """Index in `INTEGRATORS`."""
     substeps: int
     """Into how many parts a tick is divided for bodies that rest on each other."""
+    sleep_speed: float = 0.0
+    """(m/s)"""
+    sleep_time: float = 0.0
+    """(s); 0: nothing sleeps."""
 
 
-def laws(gravity: Any, drag: Drag | None, integrator: str, substeps: int) -> Laws:
+@dataclass(frozen=True)
+class Sleep:
+    """When bodies at rest may fall asleep.
+
+    While a body sleeps it stands. As long as it would have stayed slower than `speed`, which it was
+    for `time`, it is thereby wrong by less than `speed` in its velocity and by less than `speed`
+    times the time that it slept in where it is.
+    """
+
+    speed: float = 0.01
+    """No point of a body that may sleep is faster (m/s)."""
+    time: float = 0.5
+    """For how long it has to be so slow (s)."""
+
+    def __post_init__(self) -> None:
+        """Refuse what is no positive number."""
+        object.__setattr__(self, "speed", validate.positive(self.speed, "sleep speed"))
+        object.__setattr__(self, "time", validate.positive(self.time, "sleep time"))
+
+
+def laws(
+    gravity: Any, drag: Drag | None, integrator: str, substeps: int, sleeping: Sleep | bool = False
+) -> Laws:
     """Check what was given to `World` and turn it into numbers.
 
     Raises:
@@ -56,7 +83,18 @@ def laws(gravity: Any, drag: Drag | None, integrator: str, substeps: int) -> Law
         drag.k if isinstance(drag, QuadraticDrag) else 0.0,
         INTEGRATORS.index(integrator),
         validate.whole(substeps, "substeps", 1),
+        *_sleep(sleeping),
     )
+
+
+def _sleep(sleeping: Any) -> tuple[float, float]:
+    """Speed and time of `Laws`."""
+    if sleeping is False:
+        return 0.0, 0.0
+    rule = Sleep() if sleeping is True else sleeping
+    if not isinstance(rule, Sleep):
+        raise TypeError(f"sleeping must be True, False or a Sleep, not {sleeping!r}")
+    return rule.speed, rule.time
 
 
 def larger(a: float, b: float) -> float:

@@ -23,6 +23,7 @@ STATE = (
 UNUSUAL = {
     "gravity_scale": 1.0, "category": 1, "mask": ALL, "group": 0, "sensor": 0,
     "static_friction": AS_FRICTION, "rolling_resistance": 0.0, "surface_speed": 0.0, "material": 0,
+    "asleep": 0, "quiet": 0.0,
 }  # fmt: skip
 """More such columns, hashed only if a body differs from what most have."""
 

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from engine import sleeping
 from engine import snapshot as snapshots
 from engine.body import Body
 from engine.collision import Removed
@@ -215,6 +216,7 @@ class Store:
     def loosen(self) -> None:
         """Take note that joints came, went or changed."""
         self.tables.state.loose[0] = self.tables.state.stale[0] = 1
+        self.wake_all()
 
     def order_joints(self) -> None:
         """Put the joints in order, if they changed."""
@@ -238,6 +240,17 @@ class Store:
         """Let the bodies of a joint touch each other again."""
         if joint.a is not None and joint.b is not None:
             self.heed(joint.a, joint.b, joint.id)
+
+    # Sleep.
+
+    def wake(self, row: int) -> None:
+        """Wake a body with those that it rests on, and that rest on it."""
+        sleeping.wake(self.tables, row)
+
+    def wake_all(self) -> None:
+        """Wake all bodies."""
+        for row in np.flatnonzero(np.asarray(self.tables.bodies.asleep)[: self.count("bodies")]):
+            self.wake(int(row))
 
     # Pairs that pass through each other.
 
@@ -295,12 +308,14 @@ class Store:
         """Let a law act."""
         self.acting[law.id] = law
         self.list_fields()
+        self.wake_all()
 
     def remove_law(self, law: ActingLaw) -> None:
         """Let a law act no more, if it does."""
         if self.acting.get(law.id) is law:
             del self.acting[law.id]
             self.list_fields()
+            self.wake_all()
 
     def list_fields(self) -> None:
         """List anew which laws of force act on which rows."""

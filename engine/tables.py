@@ -103,6 +103,15 @@ class Bodies(NamedTuple):
     last_vx: Floats
     last_vy: Floats
 
+    asleep: Ints
+    """1 for a body that sleeps: nothing moves it until it is woken; see `sleeping`."""
+    quiet: Floats
+    """For how long it has rested and been slow (s)."""
+    restless: Ints
+    """1 for one that may not sleep with its island, or has just been woken."""
+    anchored: Ints
+    """1 for one whose island rests on something immovable."""
+
     moves: Ints
     """0 for a body that stays where it is: its corners are placed once, when it is added."""
     first: Ints
@@ -255,7 +264,7 @@ class Pairs(NamedTuple):
     size: Floats
     """Reach of the smaller body (m), the scale of all tolerances."""
     state: Ints
-    """`FREE`, `RESTING`, `PASSING` or `SENSING`."""
+    """`FREE`, `RESTING`, `PASSING`, `SENSING` or `SLEEPING`."""
     normal_x: Floats
     """Unit normal from a to b of the resting contact; its tangent is this turned left."""
     normal_y: Floats
@@ -752,9 +761,9 @@ class Tables(NamedTuple):
     tracks: Tracks
 
 
-FREE, RESTING, PASSING, SENSING = 0, 1, 2, 3
+FREE, RESTING, PASSING, SENSING, SLEEPING = range(5)
 """States of a pair: they move on their own; they rest on each other; one comes through a one-sided
-wall from behind; one of them is a sensor."""
+wall from behind; one of them is a sensor; they rested on each other when they fell asleep."""
 
 NEVER = 1e300
 """A time that does not come (s)."""

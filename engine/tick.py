@@ -8,6 +8,7 @@ from engine.accelerate import accelerate
 from engine.broadphase import holds
 from engine.pairing import find_pairs
 from engine.settings import Laws
+from engine.sleeping import fall_asleep, wake_in_time
 from engine.tables import Tables, copy_row
 from engine.travel import CROWDED, DONE, ESCAPED, begin, end, runaway, travel
 
@@ -54,6 +55,8 @@ def step(t: Tables, laws: Laws, dt: float) -> int:
             progress.phase[0] = MOVING
             if progress.own_rules[0] == 1:
                 return UNMIXED
+        if laws.sleep_time > 0.0 and progress.begun[0] == 0:
+            wake_in_time(t, laws, dt)
         status = move(t, laws, dt)
         tell_time_of_impacts(t)
         if status == ESCAPED:
@@ -66,6 +69,8 @@ def step(t: Tables, laws: Laws, dt: float) -> int:
     if has_run_away(t, dt):
         return LOST
     end_pushes(t)
+    if laws.sleep_time > 0.0:
+        fall_asleep(t, laws, dt)
     tell_time(t, dt)
     return DONE
 

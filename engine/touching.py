@@ -8,7 +8,7 @@ import numpy as np
 
 from engine.body import Body
 from engine.store import Store
-from engine.tables import RESTING, SENSING
+from engine.tables import RESTING, SENSING, SLEEPING
 from engine.touches import number_of_tick
 from engine.vector import Vector
 
@@ -35,7 +35,7 @@ class Contact:
     """Unit vector from a to b at the first of the points; zero if there are none."""
     impulse: Vector
     """What b received in the tick (N s), impacts and resting contact together; a received its
-    exact opposite."""
+    exact opposite. Those of bodies that sleep are not computed."""
     sensor: bool
     """Whether one of the two is a sensor."""
 
@@ -81,16 +81,18 @@ def _listed(store: Store) -> Iterator[tuple[int, int, _Part]]:
     state = np.asarray(pairs.state)[:count]
     touched = np.asarray(pairs.touched)[:count]
     ids = store.tables.bodies.id
-    for pair in map(int, np.flatnonzero((state == RESTING) | (touched >= tick - 1))):
+    still = (state == RESTING) | (state == SLEEPING)
+    for pair in map(int, np.flatnonzero(still | (touched >= tick - 1))):
         fresh = pairs.touched[pair] == tick
-        rests = pairs.state[pair] == RESTING
+        rests = bool(still[pair])
+        sleeps = pairs.state[pair] == SLEEPING
         now = fresh or rests
         before = pairs.touched_before[pair] == tick - 1 if fresh else True
-        x, y = (pairs.given_x[pair], pairs.given_y[pair]) if fresh else (0.0, 0.0)
+        x, y = (pairs.given_x[pair], pairs.given_y[pair]) if fresh and not sleeps else (0.0, 0.0)
         normal = Vector(pairs.normal_x[pair], pairs.normal_y[pair])
         points: tuple[Vector, ...] = ()
         if rests and pairs.points[pair] > 0:
-            push, rub = _resting_impulse(store, pair)
+            push, rub = (0.0, 0.0) if sleeps else _resting_impulse(store, pair)
             x, y = x + push * normal.x - rub * normal.y, y + push * normal.y + rub * normal.x
             points = _resting_points(store, pair)
         elif now and pairs.state[pair] != SENSING:

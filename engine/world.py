@@ -20,7 +20,7 @@ from engine.materials import pair_row
 from engine.plain import Functions
 from engine.queries import Choice, Hit, Nearest
 from engine.recording import Recording
-from engine.settings import TICK, Rule, Rules, geometric_mean, larger, laws
+from engine.settings import TICK, Rule, Rules, Sleep, geometric_mean, larger, laws
 from engine.shapes import Shape
 from engine.snapshot import Snapshot
 from engine.store import Store
@@ -42,6 +42,8 @@ class World:
         friction_rule: the same for friction; None: the geometric mean.
         kernels: "interpreted", "compiled" (by numba) or "auto", which the environment variable
             LAWS_KERNELS decides; all give the same bits.
+        sleeping: whether bodies that came to rest may sleep, which saves time and is wrong by no
+            more than `Sleep` says; True: by its usual numbers.
     """
 
     def __init__(
@@ -53,8 +55,9 @@ class World:
         restitution_rule: Rule | None = None,
         friction_rule: Rule | None = None,
         kernels: str = "auto",
+        sleeping: Sleep | bool = False,
     ) -> None:
-        self.laws = laws(gravity, drag, integrator, substeps)
+        self.laws = laws(gravity, drag, integrator, substeps, sleeping)
         self.rules = Rules(restitution_rule or larger, friction_rule or geometric_mean)
         """What makes the coefficients of a pair."""
         self.store = Store()
@@ -178,7 +181,7 @@ class World:
         body = Body(self, id, shape, f"{name_of_shape} {id}" if name is None else str(name))
         body.on_move, body.on_collision = on_move, on_collision
         self.store.add_body(body, shape, values)
-        self.displaced()
+        self.tables.state.stale[0] = 1
         return body
 
     @noted
@@ -390,9 +393,9 @@ class World:
     def contacts(self) -> list[Contact]:
         """What touched in the last tick, or did in the tick before, in the order of ids.
 
-        For each body, the impulses of its contacts and of the forces on it add up to the change of
-        its momentum in the tick (by the Euler methods, apart from their own error). Bodies that
-        were removed are not told of.
+        For each body, the impulses of its contacts, of its joints and of the forces on it add up
+        to the change of its momentum in the tick (by the Euler methods, apart from their own
+        error). Bodies that were removed are not told of.
         """
         return touching.contacts(self.store)
 
@@ -422,8 +425,10 @@ class World:
         return self.rules.restitution
 
     @restitution_rule.setter
+    @noted
     def restitution_rule(self, rule: Rule) -> None:
         self.rules = self.rules._replace(restitution=rule)
+        self.displaced()
 
     @property
     def friction_rule(self) -> Rule:
@@ -431,8 +436,10 @@ class World:
         return self.rules.friction
 
     @friction_rule.setter
+    @noted
     def friction_rule(self, rule: Rule) -> None:
         self.rules = self.rules._replace(friction=rule)
+        self.displaced()
 
     @property
     def kernels(self) -> str:
@@ -449,6 +456,7 @@ class World:
     def gravity(self, value: Any) -> None:
         down = validate.vector(value, "gravity")
         self.laws = self.laws._replace(gravity_x=down.x, gravity_y=down.y)
+        self.store.wake_all()
 
     @property
     def momentum(self) -> Vector:
@@ -561,5 +569,6 @@ class World:
 
     @noted
     def displaced(self) -> None:
-        """Take note that a body was moved by hand, or its material changed."""
+        """Take note that a body was moved by hand, or its material changed; all wake."""
         self.tables.state.stale[0] = 1
+        self.store.wake_all()
