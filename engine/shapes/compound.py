@@ -49,6 +49,8 @@ class Compound:
             raise ValueError("a compound needs at least one part")
         weights = _weights(given, masses)
         total = math.fsum(weights)
+        if not 0.0 < total < math.inf:
+            raise ValueError(f"a compound must have an area that can be computed, not {total}")
         pairs = list(zip(given, weights, strict=True))
         x = math.fsum(weight * at.x for (_, at, _), weight in pairs) / total
         y = math.fsum(weight * at.y for (_, at, _), weight in pairs) / total

@@ -82,9 +82,8 @@ class Capsule:
         out than that centre, so moving it by l/2 adds l^2/4 + (l/2) 2 (4r/(3 pi)).
         """
         length, radius = self.length, self.radius
-        ends = math.pi * radius * radius
-        middle = 2.0 * radius * length
         of_ends = radius * radius / 2.0 + length * length / 4.0
         of_ends += 4.0 * radius * length / (3.0 * math.pi)
         of_middle = (length * length + 4.0 * radius * radius) / 12.0
-        return mass * (ends * of_ends + middle * of_middle) / (ends + middle)
+        share = math.pi * radius / (math.pi * radius + 2.0 * length)
+        return mass * (share * of_ends + (1.0 - share) * of_middle)
