@@ -8,7 +8,7 @@ b.
 """
 
 from engine.manifolds.any_pair import touching_points
-from engine.pose import place
+from engine.pose import place_pair
 from engine.rubbing import belt_speed
 from engine.tables import Tables
 
@@ -104,8 +104,7 @@ def find_points(t: Tables, pair: int, time: float) -> None:
     contacts = t.contacts
     a = pairs.a[pair]
     b = pairs.b[pair]
-    place(bodies, t.corners, a, time)
-    place(bodies, t.corners, b, time)
+    place_pair(t, pair, time)
     first = 2 * pair
     before = pairs.points[pair]
     old_0 = contacts.feature[first]

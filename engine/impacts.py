@@ -12,7 +12,7 @@ import math
 from engine.linkage.velocities import react
 from engine.manifolds.any_pair import touching_points
 from engine.meeting import STILL
-from engine.pose import advance, place
+from engine.pose import advance, place_pair
 from engine.rubbing import belt_speed
 from engine.sleeping import wake
 from engine.tables import FREE, RESTING, Bodies, Tables
@@ -53,8 +53,7 @@ def strike(
         wake(t, a if bodies.asleep[a] == 1 else b)
     advance(bodies, a, time)
     advance(bodies, b, time)
-    place(bodies, t.corners, a, time)
-    place(bodies, t.corners, b, time)
+    place_pair(t, pair, time)
     points = touching_points(t, pair)
     one, other, speed = choose_points(t, pair, points, early)
     if one < 0:

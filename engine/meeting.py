@@ -9,7 +9,7 @@ import math
 
 from engine.manifolds.any_pair import gap_between, touching_points
 from engine.manifolds.link import is_link, nearest_neighbour
-from engine.pose import place, velocity_at
+from engine.pose import place, place_pair, velocity_at
 from engine.tables import FREE, NEVER, PASSING, RESTING, SENSING, Tables
 
 STILL = 1e-9
@@ -224,8 +224,7 @@ def meet(t: Tables, pair: int, time: float, speed: float) -> None:
 
 def gap_at(t: Tables, pair: int, time: float) -> float:
     """Distance of the surfaces at `time` (m)."""
-    place(t.bodies, t.corners, t.pairs.a[pair], time)
-    place(t.bodies, t.corners, t.pairs.b[pair], time)
+    place_pair(t, pair, time)
     return gap_between(t, pair)
 
 
@@ -237,8 +236,7 @@ def approach_at(t: Tables, pair: int, time: float) -> float:
     """
     a = t.pairs.a[pair]
     b = t.pairs.b[pair]
-    place(t.bodies, t.corners, a, time)
-    place(t.bodies, t.corners, b, time)
+    place_pair(t, pair, time)
     points = touching_points(t, pair)
     lowest = t.touch.gap[0]
     if points == 2 and t.touch.gap[1] < lowest:

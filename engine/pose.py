@@ -2,7 +2,7 @@
 
 import math
 
-from engine.tables import Bodies, Corners
+from engine.tables import Bodies, Corners, Tables
 
 
 def place(bodies: Bodies, corners: Corners, row: int, time: float) -> None:
@@ -17,6 +17,29 @@ def place(bodies: Bodies, corners: Corners, row: int, time: float) -> None:
     put(bodies, corners, row, x, y, angle)
 
 
+def place_pair(t: Tables, pair: int, time: float) -> None:
+    """Put the two pieces of a pair where they are at `time` of the present part of the tick (s)."""
+    place_piece(t, t.pairs.a[pair], t.pairs.piece_a[pair], time)
+    place_piece(t, t.pairs.b[pair], t.pairs.piece_b[pair], time)
+
+
+def place_piece(t: Tables, row: int, piece: int, time: float) -> None:
+    """The same for one piece of a body."""
+    bodies = t.bodies
+    if bodies.pieces[row] == 1 or bodies.moves[row] == 0:
+        place(bodies, t.corners, row, time)
+        return
+    passed = time - bodies.clock[row]
+    half = passed * passed / 2.0
+    x = bodies.x[row] + bodies.vx[row] * passed + bodies.path_x[row] * half
+    y = bodies.y[row] + bodies.vy[row] * passed + bodies.path_y[row] * half
+    angle = bodies.angle[row] + bodies.spin[row] * passed + bodies.path_spin[row] * half
+    bodies.here_x[row] = x
+    bodies.here_y[row] = y
+    first = t.pieces.first[piece]
+    turn(t.corners, first, first + t.pieces.corners[piece], x, y, angle)
+
+
 def put(bodies: Bodies, corners: Corners, row: int, x: float, y: float, angle: float) -> None:
     """Put the corners of a body where they are if it stands at (x, y), turned by `angle`."""
     bodies.here_x[row] = x
@@ -27,9 +50,14 @@ def put(bodies: Bodies, corners: Corners, row: int, x: float, y: float, angle: f
         corners.world_x[first] = x
         corners.world_y[first] = y
         return
+    turn(corners, first, first + count, x, y, angle)
+
+
+def turn(corners: Corners, first: int, end: int, x: float, y: float, angle: float) -> None:
+    """Put some corners where they are if their body stands at (x, y), turned by `angle`."""
     cos = math.cos(angle)
     sin = math.sin(angle)
-    for i in range(first, first + count):
+    for i in range(first, end):
         local_x = corners.x[i]
         local_y = corners.y[i]
         corners.world_x[i] = x + cos * local_x - sin * local_y
