@@ -464,7 +464,9 @@ class Braces(NamedTuple):
     """First row in `Equations`, and how many there are."""
     rows: Ints
     sizes: Ints
-    """How many braces, nodes, equations, couplings and entries there are (a list of its own)."""
+    """How many braces, nodes, equations, couplings and entries there are; whether the system is
+    that of the poses in which the bodies are now; and how many coordinates there are (a list of its
+    own)."""
 
 
 class Nodes(NamedTuple):

@@ -212,6 +212,7 @@ def meet_in_order(
         if rests and held == 0 and time < part:
             return DONE, time, queued
         if t.bodies.joined[a] == 1 or t.bodies.joined[b] == 1:
+            written[1] += t.braces.sizes[0] // 8  # joints make it dear: give up sooner
             queued = look_at_joined(t, time, part, queued, written[1] < 2 * limit)
         # What rests cannot wait for the end of a steady tick once something hits it.
         if steady and (rests or t.bodies.held[a] > 0 or t.bodies.held[b] > 0):

@@ -41,10 +41,14 @@ def brace(t: Tables, part: float) -> None:
         t.nodes.sum_y[node] = 0.0
     gather_means(t)
     place_nodes(t, 0.0)
-    aim(t)
+    known = t.braces.sizes[5] == 1 and t.braces.sizes[6] == 0
+    if not known:
+        aim(t)
     measure(t)
     warm_start(t, part)
-    renew(t, part)
+    if not known:
+        renew(t, part)
+    t.braces.sizes[5] = 0
     for row in range(t.braces.sizes[2]):
         lend(t, row, t.equations.impulse[row])
     deliver(t)

@@ -33,6 +33,7 @@ def part_for_joints(t: Tables, substep: float) -> float:
 def clear_sums(t: Tables) -> None:
     """Begin a tick: nothing has been exerted yet."""
     joints = t.joints
+    t.braces.sizes[5] = 0
     for brace in range(t.braces.sizes[0]):
         joint = t.braces.joint[brace]
         joints.sum_x[joint] = 0.0

@@ -34,6 +34,7 @@ def prepare_ease(t: Tables, part: float, done: float) -> None:
         elif joints.mode[joint] == STRAINED:
             joints.mode[joint] = DRIVEN
     renew(t)
+    t.braces.sizes[5] = 1
     deliver_ends(t)
 
 
@@ -154,6 +155,7 @@ def react(
         time: since the part began (s).
         old: velocity and spin of a, then of b, before (m/s, rad/s).
     """
+    t.braces.sizes[5] = 0
     place_in_flight(t, time)
     begin_instant(t)
     note_changes(t, a, old[0], old[1], old[2])
