@@ -7,11 +7,18 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from app.frames import Film, Pixels
+from app.camera import Camera
+from app.frames import Film, Pixels, Sink
+from app.overlay import Overlay
+from app.player import Player
 from app.render import render
 from app.scenario.load import Overrides, load
 from app.scenario.model import Scenario
+from app.session import Session
+from app.stage import set_stage
 from assets import SCENARIOS
+from screens.kit.surface import Surface
+from screens.kit.words import load_words
 
 SIZE = (720, 1280)
 FPS = 30
@@ -33,6 +40,16 @@ def film() -> Film:
 def export(*paths: Path | str) -> None:
     """Simulate and draw the scenario once, as `laws render` does, and write these outputs."""
     render(replace(scenario(), outputs=tuple(map(str, paths))))
+
+
+def play(sink: Sink) -> None:
+    """Simulate and draw the scenario once, and hand every frame to `sink`."""
+    filmed = scenario()
+    lesson = set_stage(filmed)
+    surface, overlay = Surface(*filmed.size), Overlay(load_words(filmed.lang))
+    camera = Camera(surface, overlay, [sink], filmed.fps)
+    player = Player(filmed, lesson, lambda *_: None)
+    Session(lesson, camera, [], lambda cue: None).run(player.play())
 
 
 def frames() -> list[Pixels]:
