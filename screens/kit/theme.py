@@ -1,6 +1,6 @@
 """Colours, type and measures that all screens share. Needs no pygame."""
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 Color = tuple[int, int, int]
 """Red, green and blue, 0..255."""
@@ -55,8 +55,7 @@ SCRIM = 0.62
 REGULAR, MEDIUM, SEMIBOLD = 400, 500, 600
 
 
-@dataclass(frozen=True, slots=True)
-class Style:
+class Style(NamedTuple):
     """How a piece of text is set."""
 
     size: float
