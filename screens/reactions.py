@@ -314,9 +314,9 @@ class Reactions:
         """Exert the force of the tilt on every ball, instead of the one before."""
         for push in reversed(self.pushes):
             push.stop()
-        force = self.force
-        tilted = force != (0.0, 0.0)
-        self.pushes = [b.exert(Force(force.x, force.y)) for b in self.balls] if tilted else []
+        force = Force(*self.force)
+        tilted = force != Force(0.0, 0.0)
+        self.pushes = [ball.exert(force) for ball in self.balls] if tilted else []
 
     def _clear(self) -> None:
         """Take all balls away; the count begins anew, the tilt and the next mass stay."""
