@@ -300,6 +300,31 @@ def cover(shape: Shape, look: Look, box: Box) -> Coverage:
     kind = np.float32 if reach < FAR else np.float64
     x = np.arange(box.left + 0.5, box.right, dtype=kind)[None, :]
     y = np.arange(box.top + 0.5, box.bottom, dtype=kind)[:, None]
+    if not isinstance(shape, Slab):
+        return _cover(shape, look, x, y)
+    # Away from its ends all columns of a rectangle are equal, and so are all rows.
+    near = shape.radius + look.rim_width + look.inset + 2
+    columns, wide = _unlike(x[0], left + near, right - near)
+    rows, high = _unlike(y[:, 0], top + near, bottom - near)
+    return _cover(shape, look, x[:, columns], y[rows]).repeat(high, axis=0).repeat(wide, axis=1)
+
+
+def _unlike(middles: Grid, low: float, high: float) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Of pixels in a row, the first of those from `low` to `high` and all others.
+
+    And how many each stands for.
+    """
+    first, end = np.searchsorted(middles, (low, high))
+    if end - first < 2:
+        return np.arange(middles.size), np.ones(middles.size, np.intp)
+    kept = np.concatenate((np.arange(first + 1), np.arange(end, middles.size)))
+    counts = np.ones(kept.size, np.intp)
+    counts[first] = end - first
+    return kept, counts
+
+
+def _cover(shape: Shape, look: Look, x: Grid, y: Grid) -> Coverage:
+    """How much `shape` covers pixels whose middles are in these columns and rows."""
     distance = shape.distance(x, y)
     rim = None
     if look.rim > 0:
