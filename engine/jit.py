@@ -8,7 +8,6 @@ all kernel sources, because numba itself notices only edits of the outermost fun
 
 import hashlib
 import importlib
-import importlib.metadata
 import importlib.util
 import inspect
 import os
@@ -113,7 +112,8 @@ def key() -> str:
         source = importlib.util.find_spec(f"engine.{name}")
         if source is not None and source.origin is not None:
             digest.update(Path(source.origin).read_bytes())
-    versions = [importlib.metadata.version(name) for name in ("numba", "numpy")]
+    metadata = importlib.import_module("importlib.metadata")  # worlds that start need none of it
+    versions = [metadata.version(name) for name in ("numba", "numpy")]
     for part in (*versions, sys.version, platform.machine(), platform.node()):
         digest.update(part.encode())
     return digest.hexdigest()
