@@ -273,12 +273,13 @@ def outermost(sources: str) -> tuple[Any, str | None]:
 def compile_now(kernel: Any) -> Callable[[Tables, Laws], Callable[[float, int], int]]:
     """Compile the function or load its code; return what binds it to tables."""
     kernel.compile(SIGNATURE)
-    kernel.disable_compile()
+    # What numba calls once it has looked at the types of arguments, which takes longer than a tick.
+    call = kernel.overloads[kernel.signatures[0]].entry_point
 
     def bind(tables: Tables, laws: Laws) -> Callable[[float, int], int]:
         held = directory(tables, laws)
-        bound: Any = partial(kernel, int(held.ctypes.data))
-        bound.keeps_alive = held, tables
+        bound: Any = partial(call, int(held.ctypes.data))
+        bound.keeps_alive = held, tables, kernel
         return bound  # type: ignore[no-any-return]
 
     return bind

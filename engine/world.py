@@ -79,7 +79,7 @@ class World:
         poses = callbacks.poses(store) if store.listened_to else []
         if store.acting:
             ask_functions(store, self.laws, dt)
-        collisions = self._clockwork.advance(self.laws, self.rules, dt)
+        collisions = self._clockwork.tick(self.laws, self.rules, dt)
         if self.recorder is not None:
             self.recorder.end_tick(self, dt)
         if store.listened_to:
