@@ -6,6 +6,7 @@ from engine.collision import Collision, Diverged, Removed
 from engine.force_laws import ActingLaw, PointGravity, SpringTo
 from engine.forces import Force, LinearDrag, Push, QuadraticDrag, Torque
 from engine.joints import Distance, Joint, Pin, Pulley, Rope, Slider, Spring, Weld
+from engine.ledger import Ledger
 from engine.queries import Hit, Nearest
 from engine.recording import Recording
 from engine.replay import Divergence, replay
@@ -45,6 +46,7 @@ __all__ = [
     "Force",
     "Hit",
     "Joint",
+    "Ledger",
     "LinearDrag",
     "Nearest",
     "Particle",

@@ -15,6 +15,7 @@ Impacts happen at the velocity of the parabola, so that all four bounce truly.
 
 import math
 
+from engine.books import note_starts
 from engine.fields import EVERY_BODY, immerse, slowed
 from engine.settings import EXPLICIT_EULER, RK4, SEMI_IMPLICIT_EULER, Laws
 from engine.tables import Bodies, Fields, Pushes
@@ -28,12 +29,15 @@ def accelerate(
     fields: Fields,
     laws: Laws,
     dt: float,
+    forced: bool,
 ) -> None:
     """Set mean accelerations, leads and mean forces of this tick; use up the time of the pushes."""
     for row in range(count):
         bodies.ax[row] = bodies.ay[row] = bodies.aspin[row] = 0.0
         bodies.lead_x[row] = bodies.lead_y[row] = bodies.lead_spin[row] = 0.0
     push(bodies, count, pushes, pushing, dt)
+    if forced:
+        note_starts(bodies, count)
     fielded = fields.used[0]
     everyone = 0
     while everyone < fielded and fields.row[everyone] == EVERY_BODY:

@@ -1,12 +1,14 @@
 """Many ticks, or many bodies, in one call: tracks and states as arrays."""
 
 from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from engine import kinds, validate
+from engine import kinds, tables, validate
+from engine.clockwork import Clockwork
 from engine.collision import Collision
 from engine.shapes import Barrier, Particle
 
@@ -18,6 +20,10 @@ STATE = ("id", "x", "y", "angle", "vx", "vy", "spin")
 
 RECORDED = ("x", "y", "angle", "vx", "vy", "spin", "force_x", "force_y", "torque")
 """Columns that `World.run` can record; see `Body` for their units."""
+
+
+BLOCK = 1 << 18
+"""Rows of tracks that kernels write at once (a row a body and tick)."""
 
 
 @dataclass(frozen=True)
@@ -55,10 +61,79 @@ class Tracks:
         return {name: column[:, place[0]] for name, column in self.columns.items()}
 
 
-def run(world: "World", ticks: int, dt: float, record: Iterable[str], collisions: bool) -> Tracks:
+def run(
+    world: "World",
+    clockwork: Clockwork,
+    ticks: int,
+    dt: float,
+    record: Iterable[str],
+    collisions: bool,
+) -> Tracks:
     """Step many times; see `World.run`."""
     ticks, dt = validate.whole(ticks, "ticks", 0), validate.positive(dt, "dt")
     names = _names(record)
+    if _needs_python(world):
+        return _step_by_step(world, ticks, dt, names, collisions)
+    return _at_once(world, clockwork, ticks, dt, names, collisions)
+
+
+def _needs_python(world: "World") -> bool:
+    """Whether anything is to be called between two ticks."""
+    store = world.store
+    listens = store.listened_to or any(joint.on_break for joint in store.joints)
+    return listens or world.recorder is not None or any(law.is_python for law in world.force_laws)
+
+
+def _at_once(
+    world: "World",
+    clockwork: Clockwork,
+    ticks: int,
+    dt: float,
+    names: list[str],
+    collisions: bool,
+) -> Tracks:
+    """Let the kernels take all ticks, and write tracks in blocks of `BLOCK` rows."""
+    world.store.close_books()
+    rows = _Rows(world)
+    count = len(rows.ids)
+    columns = {name: np.empty((ticks + 1, count)) for name in names}
+    times = np.empty(ticks + 1)
+    times[0] = world.time
+    rows.read(columns, 0)
+    happened: list[Collision] = []
+    total = done = 0
+    while done < ticks:
+        now = min(ticks - done, max(1, BLOCK // max(1, count)))
+        with _tracking(world, names, now * count):
+            happened += clockwork.advance(world.laws, world.rules, dt, now, silent=not collisions)
+            total += clockwork.collisions
+            rows.take(columns, slice(done + 1, done + 1 + now))
+        done += now
+    state = world.tables.state
+    before = state.ticks[0] - ticks
+    times[1:] = state.base[0] + (before + np.arange(1, ticks + 1)) * dt
+    return Tracks(times, rows.ids, columns, tuple(happened), total)
+
+
+@contextmanager
+def _tracking(world: "World", names: list[str], rows: int) -> Iterator[None]:
+    """Give the kernels room for so many rows of tracks."""
+    store, progress = world.store, world.tables.progress
+    room = {name: rows if name in names else 1 for name in RECORDED}
+    block = [np.empty(room[name]) for name in tables.Tracks._fields]
+    store.tables = store.tables._replace(tracks=tables.views(tables.Tracks(*block)))
+    progress.recording[0] = sum(1 << i for i, name in enumerate(RECORDED) if name in names)
+    progress.moment[0] = 0
+    try:
+        yield
+    finally:
+        progress.recording[0] = 0
+
+
+def _step_by_step(
+    world: "World", ticks: int, dt: float, names: list[str], collisions: bool
+) -> Tracks:
+    """Step, because functions are called between ticks, which may even add and remove bodies."""
     rows = _Rows(world)
     times = np.empty(ticks + 1)
     columns = {name: np.empty((ticks + 1, len(rows.ids))) for name in names}
@@ -105,6 +180,15 @@ class _Rows:
                 column[i] += self._walls[name]
             if self._gone.any():
                 column[i, self._gone] = np.nan
+
+    def take(self, columns: dict[str, Any], moments: slice) -> None:
+        """Copy what the kernels recorded."""
+        tracks = self.world.tables.tracks
+        for name, column in columns.items():
+            block = np.asarray(getattr(tracks, name)).reshape(-1, len(self.ids))
+            column[moments] = block[: moments.stop - moments.start]
+            if name in self._walls:
+                column[moments] += self._walls[name]
 
 
 def _names(record: Iterable[str]) -> list[str]:

@@ -41,6 +41,7 @@ class Clockwork:
         "_tick",
         "_work",
         "_written",
+        "collisions",
     )
 
     def __init__(self, store: Store, mode: str) -> None:
@@ -55,6 +56,8 @@ class Clockwork:
         self._tables: Tables | None = None
         self._laws: Laws | None = None
         self._rules: Rules | None = None
+        self.collisions = 0
+        """How many happened in the last `advance`."""
         self._work = 0.0
         self._counted = 0
         self._at_once = AT_ONCE
@@ -87,7 +90,9 @@ class Clockwork:
             raise
         return collisions + self.advance(laws, rules, dt)
 
-    def advance(self, laws: Laws, rules: Rules, dt: float, ticks: int = 1) -> list[Collision]:
+    def advance(
+        self, laws: Laws, rules: Rules, dt: float, ticks: int = 1, silent: bool = False
+    ) -> list[Collision]:
         """Take so many ticks of `dt` seconds; return the collisions that happened in them.
 
         Args:
@@ -95,6 +100,7 @@ class Clockwork:
             rules: what makes the coefficients of a pair.
             dt: length of a tick (s).
             ticks: how many.
+            silent: whether to count the collisions only.
 
         Raises:
             Diverged: when a body left the range of numbers.
@@ -105,6 +111,7 @@ class Clockwork:
             or self._rules is not rules
         ):
             self._bind(laws, rules)
+        self.collisions = 0
         collisions: list[Collision] = []
         end = self._tick[0] + ticks
         try:
@@ -112,7 +119,7 @@ class Clockwork:
                 left = end - self._tick[0]
                 status = self._run(dt, left if left < self._at_once else self._at_once)
                 if self._written[0]:
-                    collisions += self._reported()
+                    collisions += self._reported(silent)
                 if status != DONE:
                     self._help(status, laws, rules)
                 elif not self._settled:
@@ -147,9 +154,14 @@ class Clockwork:
         self._tick, self._written = tables.state.tick, tables.impacts.written
         tables.progress.own_rules[0] = rules != PLAIN_RULES
 
-    def _reported(self) -> list[Collision]:
+    def _reported(self, silent: bool = False) -> list[Collision]:
+        """Empty the table of impacts."""
         tables = self._store.tables
         tables.progress.told[0] = 0
+        self.collisions += self._written[0]
+        if silent:
+            self._written[0] = 0
+            return []
         return collision.read(tables.impacts, self._store.handles)
 
     def _consider_compiling(self, laws: Laws, rules: Rules) -> None:

@@ -7,6 +7,7 @@ part before. Each is exchanged at one common point while the bodies stand in the
 of the tick (or, when relaxing, at its end), so that angular momentum is kept to rounding.
 """
 
+from engine.books import book_relax, book_turn
 from engine.following import follow, share_of_b
 from engine.linkage.impulses import add_up
 from engine.linkage.positions import bind, brace, follow_joints, keep_impulses
@@ -92,6 +93,7 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
             if not wild and (left == 0 or (failed <= CALM and i >= TO_RELAX)):
                 break
     add_up(t)
+    book_relax(t, left, count)
     for row in range(count):
         if bodies.held[row] > 0:
             bodies.vx[row] = bodies.kick_x[row]
@@ -113,10 +115,13 @@ def stiffen(t: Tables, pair: int, part: float) -> None:
 
 
 def remember(t: Tables, pair: int) -> None:
-    """Note the change of normal velocity that the contact brought about (m/s)."""
+    """Note the change of normal velocity that the contact brought about (m/s), and its impulses."""
     contacts = t.contacts
+    t.pairs.booked_rolling[pair] = t.pairs.rolling_torque[pair] * t.pairs.part[pair]
     carried = 0.0
     for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
+        contacts.booked_normal[row] = contacts.normal_impulse[row]
+        contacts.booked_tangent[row] = contacts.tangent_impulse[row]
         change = contacts.normal_impulse[row] / contacts.normal_mass[row]
         if change > carried:
             carried = change
@@ -137,6 +142,7 @@ def warm_start(t: Tables, resting: int) -> None:
         rub = 0.0
         turn_a = 0.0
         turn_b = 0.0
+        pairs.acting[pair] = pairs.points[pair]
         for row in range(2 * pair, 2 * pair + pairs.points[pair]):
             normal = contacts.normal_impulse[row]
             tangent = contacts.tangent_impulse[row]
@@ -348,9 +354,11 @@ def turn_by_shift(t: Tables, pair: int, done: float) -> None:
     of_a = share_of_b(t, pair)
     nx = t.pairs.normal_x[pair]
     ny = t.pairs.normal_y[pair]
-    for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
+    for row in range(2 * pair, 2 * pair + t.pairs.acting[pair]):
         jx = contacts.normal_impulse[row] * nx - contacts.tangent_impulse[row] * ny
         jy = contacts.normal_impulse[row] * ny + contacts.tangent_impulse[row] * nx
         turn = (x * jy - y * jx) * done
+        book_turn(t, a, -of_a * turn)
+        book_turn(t, b, (of_a - 1.0) * turn)
         bodies.spin[a] -= of_a * turn * bodies.inverse_inertia[a]
         bodies.spin[b] -= (1.0 - of_a) * turn * bodies.inverse_inertia[b]

@@ -51,8 +51,8 @@ def immerse(
     linear = laws.linear_drag * mass
     quadratic = laws.quadratic_drag * mass
     turn(bodies, row, fields, first, last, laws.integrator, dt)
-    k1x, k1y = feel(fields, everyone, first, last, x, y, vx, vy, mass, 0.0)
-    k1x, k1y = slowed(ax + k1x, ay + k1y, vx, vy, linear, quadratic)
+    felt_x, felt_y = feel(fields, everyone, first, last, x, y, vx, vy, mass, 0.0)
+    k1x, k1y = slowed(ax + felt_x, ay + felt_y, vx, vy, linear, quadratic)
     if laws.integrator == SEMI_IMPLICIT_EULER or laws.integrator == EXPLICIT_EULER:
         lead = half if laws.integrator == SEMI_IMPLICIT_EULER else -half
         bodies.ax[row] = k1x
@@ -66,16 +66,22 @@ def immerse(
         k2x, k2y = feel(
             fields, everyone, first, last, x + vx * half, y + vy * half, ux, uy, mass, 0.5
         )
+        felt_x += 2.0 * k2x
+        felt_y += 2.0 * k2y
         k2x, k2y = slowed(ax + k2x, ay + k2y, ux, uy, linear, quadratic)
         wx = vx + k2x * half
         wy = vy + k2y * half
         k3x, k3y = feel(
             fields, everyone, first, last, x + ux * half, y + uy * half, wx, wy, mass, 0.5
         )
+        felt_x += 2.0 * k3x
+        felt_y += 2.0 * k3y
         k3x, k3y = slowed(ax + k3x, ay + k3y, wx, wy, linear, quadratic)
         ux = vx + k3x * dt
         uy = vy + k3y * dt
         k4x, k4y = feel(fields, everyone, first, last, x + wx * dt, y + wy * dt, ux, uy, mass, 1.0)
+        felt_x = (felt_x + k4x) / 6.0
+        felt_y = (felt_y + k4y) / 6.0
         k4x, k4y = slowed(ax + k4x, ay + k4y, ux, uy, linear, quadratic)
         mean_x = (k1x + 2.0 * (k2x + k3x) + k4x) / 6.0
         mean_y = (k1y + 2.0 * (k2y + k3y) + k4y) / 6.0
@@ -89,11 +95,15 @@ def immerse(
         x += (vx + k1x * half) * dt
         y += (vy + k1y * half) * dt
         k2x, k2y = feel(fields, everyone, first, last, x, y, ux, uy, mass, 1.0)
+        felt_x = (felt_x + k2x) / 2.0
+        felt_y = (felt_y + k2y) / 2.0
         k2x, k2y = slowed(ax + k2x, ay + k2y, ux, uy, linear, quadratic)
         bodies.ax[row] = (k1x + k2x) / 2.0
         bodies.ay[row] = (k1y + k2y) / 2.0
         bodies.lead_x[row] += (k1x - k2x) / 2.0 * half
         bodies.lead_y[row] += (k1y - k2y) / 2.0 * half
+    bodies.field_x[row] = felt_x * bodies.mass[row]
+    bodies.field_y[row] = felt_y * bodies.mass[row]
 
 
 def feel(

@@ -10,6 +10,7 @@ it comes second and never reverses the sliding, no impact gains energy.
 import math
 
 from engine.linkage.velocities import react
+from engine.books import book_impact
 from engine.manifolds.any_pair import touching_points
 from engine.meeting import STILL
 from engine.pose import advance, place_pair
@@ -156,18 +157,25 @@ def exchange(t: Tables, pair: int, one: int, other: int, bounce: float, time: fl
         x += share * (t.touch.x[other] - x)
         y += share * (t.touch.y[other] - y)
         speed += share * (approach(t, pair, other) - speed)
+    stiffness = response(t, pair, x, y, normal_x, normal_y)
+    t.books.restitution_heat[0] += total * (speed - total * stiffness / 2.0)
     give(t, pair, x, y, total * normal_x, total * normal_y)
-    sliding = slip(t, pair, x, y) + belt_speed(t, pair, normal_x, normal_y)
-    along = -sliding / response(t, pair, x, y, -normal_y, normal_x)
+    belt = belt_speed(t, pair, normal_x, normal_y)
+    sliding = slip(t, pair, x, y) + belt
+    stiffness = response(t, pair, x, y, -normal_y, normal_x)
+    along = -sliding / stiffness
     most = t.pairs.friction[pair] * total
     if along > most:
         along = most
     elif along < -most:
         along = -most
+    t.books.friction_heat[0] -= along * (sliding + along * stiffness / 2.0)
+    t.books.wall_work[0] -= along * belt
     give(t, pair, x, y, -along * normal_y, along * normal_x)
     impulse_x = total * normal_x - along * normal_y
     impulse_y = total * normal_y + along * normal_x
     note_impact(t, pair, x, y, impulse_x, impulse_y)
+    book_impact(t, pair, x, y, impulse_x, impulse_y)
     report(t, pair, x, y, impulse_x, impulse_y, speed, time)
 
 

@@ -1,4 +1,4 @@
-"""Inputs: the calls by which people act on a world between two ticks, as a recording notes them."""
+"""Inputs: the calls by which people act on a world between two ticks: recorded, and booked."""
 
 from collections.abc import Callable, Iterator
 from functools import wraps
@@ -26,7 +26,9 @@ def noted(method: Method) -> Method:
 
     @wraps(method)
     def call(target: Any, /, *args: Any, **given: Any) -> Any:
-        recorder: Recorder | None = getattr(target, "_world", target).recorder
+        world = getattr(target, "_world", target)
+        world.store.open_books()
+        recorder: Recorder | None = world.recorder
         if recorder is None or recorder.busy:
             return method(target, *args, **given)
         args = tuple(_kept(each) for each in args)

@@ -29,6 +29,7 @@ VARIABLE = "LAWS_KERNELS"
 
 SOURCES = (
     "accelerate",
+    "books",
     "broadphase",
     "contacts",
     "fields",

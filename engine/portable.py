@@ -45,7 +45,7 @@ KINDS = (
 TABLES: dict[str, Any] = {
     name: kind
     for name, kind in get_type_hints(Tables).items()
-    if name in (*Counts._fields, "state")
+    if name in (*Counts._fields, "state", "books")
 }
 """What is saved; how many rows a table has says itself."""
 
@@ -66,6 +66,7 @@ ROWS_OF = {
 
 AT_MOST = {
     "pairs.points": 2,
+    "pairs.acting": 2,
     "pairs.state": 4,
     "pairs.queued": 1,
     "pairs.steady": 1,
@@ -82,6 +83,7 @@ AT_MOST = {
     "joints.motor": 1,
     "joints.broken": 2,
     "joints.mode": STRAINED,
+    "books.forced": 1,
 }
 """Largest value of columns that hold a choice or a small number."""
 
@@ -334,8 +336,10 @@ def _check_rows(tables: dict[str, Any]) -> None:
         if (getattr(bodies, name) < 0.0).any():
             raise ValueError(f"bodies.{name} of a saved world must not be negative")
     state = tables["state"]
-    if rows["state"] != 1 or state.dt[0] < 0.0 or state.base[0] < 0.0:
-        raise ValueError("a saved world must have one row of state, and its times not negative")
+    if rows["state"] != 1 or rows["books"] != 1 or state.dt[0] < 0.0 or state.base[0] < 0.0:
+        raise ValueError(
+            "a saved world must have one row of state and books, and its times not negative"
+        )
     for kind, ids in (("body", bodies.id), ("push", tables["pushes"].id)):
         following = getattr(state, f"next_{kind}")[0]
         if len(ids) and ids[-1] >= following:

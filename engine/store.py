@@ -13,6 +13,7 @@ from engine.enrol import corners_of, write_body
 from engine.filters import ignored_columns, ignored_keys, pair_keys
 from engine.force_laws import ActingLaw, field_columns, field_table
 from engine.joints import Joint
+from engine.ledger import book_hand, totals
 from engine.linkage.order import put_in_order
 from engine.linkage.tally import BREAKING, BROKEN
 from engine.materials import number_or_none
@@ -41,7 +42,8 @@ class Store:
     """
 
     __slots__ = (
-        "acting", "broken", "handles", "joints", "listened_to", "materials", "rows", "tables",
+        "acting", "before", "broken", "handles", "joints", "listened_to", "materials", "rows",
+        "tables",
     )  # fmt: skip
 
     def __init__(self) -> None:
@@ -52,6 +54,8 @@ class Store:
         """The bodies in order of their rows, which is that of their ids."""
         self.listened_to = False
         """Whether a body ever had a function to call; see `callbacks`."""
+        self.before: Any = None
+        """Momentum and energy before anything was done since the last tick; None: nothing was."""
         self.rows: dict[int, int] = {}
         """Row of each body's id."""
         self.acting: dict[int, ActingLaw] = {}
@@ -325,9 +329,22 @@ class Store:
 
     # The whole.
 
+    def open_books(self) -> None:
+        """Look, before the first thing that is done between two ticks, what there is."""
+        if self.before is None:
+            self.before = totals(self.tables)
+
+    def close_books(self) -> None:
+        """Book what was done between two ticks."""
+        if self.before is not None:
+            book_hand(self.tables, self.before)
+            self.before = None
+
     def snapshot(self) -> Snapshot:
         """Copy all that varies."""
-        used = {name: self.count(name) for name in Counts._fields} | {"counts": 1, "state": 1}
+        self.close_books()
+        used = {name: self.count(name) for name in Counts._fields}
+        used |= {"counts": 1, "state": 1, "books": 1}
         columns = {
             name: tuple(column[:rows].copy() for column in arrays(getattr(self.tables, name)))
             for name, rows in used.items()
@@ -338,6 +355,7 @@ class Store:
 
     def restore(self, snapshot: Snapshot) -> None:
         """Go back to what a snapshot holds."""
+        self.before = None
         self.make_room("grid", 2 * len(snapshot.tables["pieces"][0]))
         self.make_room_for_pairs(len(snapshot.tables["pairs"][0]))
         for name, saved in snapshot.tables.items():

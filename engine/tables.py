@@ -147,6 +147,22 @@ class Bodies(NamedTuple):
     kick_y: Floats
     kick_spin: Floats
     """(rad/s)"""
+    start_x: Floats
+    """Pose when the tick began (m, rad); see `books` for these and the following."""
+    start_y: Floats
+    start_angle: Floats
+    push_x: Floats
+    """Mean force and torque of the pushes in this tick (N, N m)."""
+    push_y: Floats
+    push_torque: Floats
+    field_x: Floats
+    """Mean force of the laws of force in this tick (N)."""
+    field_y: Floats
+    mean_x: Floats
+    """Mean velocity in the present part, or of before and after an exchange of impulses (m/s)."""
+    mean_y: Floats
+    mean_spin: Floats
+    """(rad/s)"""
     middle_x: Floats
     """Pose in the middle of the present part, at the end of it once contacts relax (m)."""
     middle_y: Floats
@@ -270,6 +286,10 @@ class Pairs(NamedTuple):
     normal_y: Floats
     points: Ints
     """Number of rows in `Contacts`, 0 to 2, from row 2 * pair on."""
+    booked_rolling: Floats
+    """What of the rolling resistance has been booked (N m s)."""
+    acting: Ints
+    """Number of those that act in the present part; impacts may change `points` meanwhile."""
     carried: Floats
     """Change of normal velocity that the resting contact brought about in its last part (m/s)."""
     part: Floats
@@ -340,6 +360,9 @@ class Contacts(NamedTuple):
     normal_load: Floats
     """What bears the forces in a steady part; the rest stops what still moves (N)."""
     tangent_load: Floats
+    booked_normal: Floats
+    """What of the impulses has been booked (N s)."""
+    booked_tangent: Floats
 
 
 class Touch(NamedTuple):
@@ -596,6 +619,40 @@ class State(NamedTuple):
     """1 if the joints are to be put in order anew."""
 
 
+class Books(NamedTuple):
+    """One row: what each cause has given since the world began; see `ledger` for what they are."""
+
+    gravity_x: Floats
+    """Impulses (N s)."""
+    gravity_y: Floats
+    push_x: Floats
+    push_y: Floats
+    field_x: Floats
+    field_y: Floats
+    drag_x: Floats
+    drag_y: Floats
+    wall_x: Floats
+    wall_y: Floats
+    hand_x: Floats
+    hand_y: Floats
+    integrator_x: Floats
+    integrator_y: Floats
+    gravity_work: Floats
+    """Energy that was given (J)."""
+    push_work: Floats
+    field_work: Floats
+    wall_work: Floats
+    hand_work: Floats
+    integrator_work: Floats
+    restitution_heat: Floats
+    """Energy that was taken (J)."""
+    friction_heat: Floats
+    contact_heat: Floats
+    drag_heat: Floats
+    forced: Ints
+    """1 if any force but those of contacts and joints may act in the present tick."""
+
+
 class Fields(NamedTuple):
     """One row a law of force and body it acts on, sorted by body; first those that act on all."""
 
@@ -753,6 +810,7 @@ class Tables(NamedTuple):
     profile: Profile
     counts: Counts
     state: State
+    books: Books
     fields: Fields
     ignored: Ignored
     parted: Parted

@@ -5,6 +5,7 @@ to read a full table of impacts, to ask rules that people wrote. Called again it
 """
 
 from engine.accelerate import accelerate
+from engine.books import book_forces, is_forced
 from engine.broadphase import holds
 from engine.pairing import find_pairs
 from engine.settings import Laws
@@ -65,6 +66,8 @@ def step(t: Tables, laws: Laws, dt: float) -> int:
             return CROWDED
         else:
             progress.phase[0] = WAITING
+    if t.books.forced[0] == 1:
+        book_forces(t, t.counts.bodies[0], laws, dt)
     end(t, t.counts.bodies[0], t.counts.pairs[0], laws.integrator, dt)
     if has_run_away(t, dt):
         return LOST
@@ -77,7 +80,10 @@ def step(t: Tables, laws: Laws, dt: float) -> int:
 
 def act(t: Tables, laws: Laws, dt: float) -> None:
     """Let forces accelerate the bodies for a tick of `dt` seconds."""
-    accelerate(t.bodies, t.counts.bodies[0], t.pushes, t.counts.pushes[0], t.fields, laws, dt)
+    forced = is_forced(t, laws)
+    t.books.forced[0] = 1 if forced else 0
+    count = t.counts.bodies[0]
+    accelerate(t.bodies, count, t.pushes, t.counts.pushes[0], t.fields, laws, dt, forced)
 
 
 def has_run_away(t: Tables, dt: float) -> bool:

@@ -5,6 +5,7 @@ early when two bodies come to rest on each other, or when a body leaves the box 
 of pairs holds.
 """
 
+from engine.books import book_lead, book_part
 from engine.contacts import correct_arms, relax
 from engine.impacts import strike
 from engine.linkage.tally import clear_sums, mean_forces, part_for_joints
@@ -43,13 +44,15 @@ def begin(t: Tables, count: int, pair_count: int, shortest: float) -> None:
     for row in range(count):
         bodies.clock[row] = 0.0
     settle(t, count, pair_count, shortest)
+    forced = t.books.forced[0] == 1
     for row in range(count):
         bodies.path_x[row] = bodies.ax[row]
         bodies.path_y[row] = bodies.ay[row]
         bodies.path_spin[row] = bodies.aspin[row]
         if bodies.held[row] > 0:
             bodies.lead_x[row] = bodies.lead_y[row] = bodies.lead_spin[row] = 0.0
-        else:
+        elif forced:
+            book_lead(t, row, bodies.lead_x[row], bodies.lead_y[row], bodies.lead_spin[row])
             bodies.vx[row] += bodies.lead_x[row]
             bodies.vy[row] += bodies.lead_y[row]
             bodies.spin[row] += bodies.lead_spin[row]
@@ -65,6 +68,8 @@ def end(t: Tables, count: int, pair_count: int, integrator: int, dt: float) -> N
     for pair in range(pair_count):
         t.pairs.struck[pair] -= dt
     mean_forces(t, dt)
+    if t.books.forced[0] == 0:
+        return
     lead = 0.0
     if integrator == SEMI_IMPLICIT_EULER:
         lead = dt / 2.0
@@ -77,6 +82,7 @@ def end(t: Tables, count: int, pair_count: int, integrator: int, dt: float) -> N
                 bodies.lead_x[row] = bodies.ax[row] * flies
                 bodies.lead_y[row] = bodies.ay[row] * flies
                 bodies.lead_spin[row] = bodies.aspin[row] * flies
+            book_lead(t, row, -bodies.lead_x[row], -bodies.lead_y[row], -bodies.lead_spin[row])
             bodies.vx[row] -= bodies.lead_x[row]
             bodies.vy[row] -= bodies.lead_y[row]
             bodies.spin[row] -= bodies.lead_spin[row]
@@ -108,6 +114,7 @@ def travel(
             )
         advance_all(t.bodies, count, reached)
         if held > 0 or joined > 0:
+            book_part(t, held, count, part, reached, t.impacts.written[0] > first)
             if reached < part:
                 take_back(t, held, 1.0 - reached / part)
             correct_arms(t, held, count, first, now, part, reached)

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from engine import bulk, callbacks, portable, queries, touching, validate
+from engine import bulk, callbacks, ledger, portable, queries, touching, validate
 from engine.asking import ask_functions
 from engine.body import Body, OnCollision, OnMove
 from engine.bulk import Tracks
@@ -16,6 +16,7 @@ from engine.force_laws import ActingLaw, Law, checked_bodies, checked_law, energ
 from engine.forces import Drag, Push
 from engine.inputs import noted
 from engine.joints import Joint, OnBreak, Spec, joint_columns
+from engine.ledger import Ledger
 from engine.materials import pair_row
 from engine.plain import Functions
 from engine.queries import Choice, Hit, Nearest
@@ -76,6 +77,8 @@ class World:
         """
         dt = validate.positive(dt, "dt")
         store = self.store
+        if store.before is not None:
+            store.close_books()
         poses = callbacks.poses(store) if store.listened_to else []
         if store.acting:
             ask_functions(store, self.laws, dt)
@@ -103,7 +106,7 @@ class World:
             record: which of x, y, angle, vx, vy, spin, force_x, force_y, torque to keep.
             collisions: whether to keep the collisions as well.
         """
-        return bulk.run(self, ticks, dt, record, collisions)
+        return bulk.run(self, self._clockwork, ticks, dt, record, collisions)
 
     def state(self) -> Any:
         """Read all bodies at once: an array of a row a body of id, x, y, angle, vx, vy, spin."""
@@ -481,6 +484,11 @@ class World:
         movable = [body for body in self if body.is_dynamic]
         each = [-b.mass * b.gravity_scale * (down.x * b.x + down.y * b.y) for b in movable]
         return math.fsum(each + energy_in_fields(self.force_laws, movable))
+
+    def ledger(self) -> Ledger:
+        """Read the books: momentum and energy, and what gave and took them since the beginning."""
+        self.store.close_books()
+        return ledger.ledger(self)
 
     def snapshot(self) -> Snapshot:
         """Copy all that varies; `restore` brings it back bit for bit."""

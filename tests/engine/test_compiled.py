@@ -2,6 +2,7 @@
 
 import random
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import pytest
@@ -122,6 +123,26 @@ def test_many_ticks_in_one_call_are_the_same_ticks() -> None:
     assert [collision.time for collision in at_once] == stepped
     assert worlds[0].digest() == worlds[1].digest()
     assert worlds[1].tick == 40
+
+
+def test_books_and_tracks_are_the_same() -> None:
+    runs = []
+    for mode in ("interpreted", "compiled"):
+        world = throw(3, "semi-implicit-euler", LinearDrag(0.3), (0.0, -9.81), mode)
+        tracks = world.run(60, record=("x", "spin"))
+        runs.append((world.ledger(), tracks["x"].tolist(), tracks.collision_count))
+    assert runs[0] == runs[1]
+
+
+def test_worlds_in_threads_do_not_disturb_each_other() -> None:
+    """Machine code runs without the lock: each thread has a world of its own."""
+    alone = [throw(seed, "rk4", None, (0.0, -9.81), "compiled") for seed in range(4)]
+    threaded = [throw(seed, "rk4", None, (0.0, -9.81), "compiled") for seed in range(4)]
+    for world in alone:
+        world.run(120)
+    with ThreadPoolExecutor(4) as pool:
+        list(pool.map(lambda world: world.run(120), threaded))
+    assert [w.digest() for w in threaded] == [w.digest() for w in alone]
 
 
 def test_rules_of_python_are_asked_by_both() -> None:

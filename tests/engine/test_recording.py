@@ -28,8 +28,8 @@ from engine.inputs import is_input
 
 READS = {
     World: {
-        "step", "run", "state", "record", "snapshot", "to_dict", "from_dict", "digest", "body",
-        "row", "is_acting", "ignores", "joint",
+        "step", "run", "ledger", "state", "record", "snapshot", "to_dict", "from_dict", "digest",
+        "body", "row", "is_acting", "ignores", "joint",
         "query_point", "query_box", "cast_ray", "cast_ray_through", "cast_shape", "nearest",
     },
     Body: {"to_world", "to_local", "on_move", "on_collision"},

@@ -1,0 +1,180 @@
+"""Scenes that benchmarks and tests share, built through the door of `peers.Engine`."""
+
+import itertools
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+GRAVITY = -9.81
+
+States = list[tuple[float, float, float, float, float, float]]
+"""Of each body: x, y, angle, vx, vy, spin."""
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What all engines are asked to do."""
+
+    name: str
+    gravity: float
+    """(m/s^2)"""
+    restitution: float
+    friction: float
+    build: Callable[[Any], list[Any]]
+    """Puts bodies into an engine; returns those that move, all of density 1 kg/m^2."""
+    warm: int
+    """Ticks before the clock starts."""
+    quality: Callable[[States, States], float]
+    """How wrong the second state is, from the first: the smaller the better."""
+    unit: str
+    """What the quality is."""
+
+
+def room(engine: Any, width: float, height: float) -> None:
+    """Four walls from the origin."""
+    corners = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)]
+    for start, end in itertools.pairwise([*corners, corners[0]]):
+        engine.wall(start, end)
+
+
+def gas(count: int) -> Scene:
+    """Elastic discs without gravity in a room, at the density of a lesson."""
+    radius = 0.2
+
+    def build(engine: Any) -> list[Any]:
+        side = int(count**0.5) + 1
+        room(engine, float(side), float(side))
+        return [
+            engine.circle(
+                0.5 + i % side,
+                0.5 + i // side,
+                radius,
+                (i * 7919 % 13 - 6) / 4,
+                (i * 104729 % 11 - 5) / 4,
+            )
+            for i in range(count)
+        ]
+
+    def drift(before: States, after: States) -> float:
+        return abs(kinetic(after, radius) / kinetic(before, radius) - 1.0)
+
+    return Scene(f"elastic gas, {count}", 0.0, 1.0, 0.0, build, 10, drift, "energy drift")
+
+
+def kinetic(states: States, radius: float) -> float:
+    """Kinetic energy of discs of 1 kg (J)."""
+    turning = radius * radius / 2.0
+    return sum(vx * vx + vy * vy + turning * w * w for _, _, _, vx, vy, w in states) / 2.0
+
+
+def pyramid(base: int) -> Scene:
+    """Boxes of 1 m on boxes, at rest."""
+
+    def build(engine: Any) -> list[Any]:
+        engine.wall((-1000.0, 0.0), (1000.0, 0.0))
+        return [
+            engine.box((i - (base - row) / 2) * 1.05, row + 0.5, 1.0, 1.0)
+            for row in range(base)
+            for i in range(base - row)
+        ]
+
+    return Scene(f"pyramid, base {base}", GRAVITY, 0.0, 0.6, build, 60, moved, "creep (m)")
+
+
+def moved(before: States, after: States) -> float:
+    """The longest way that a body went (m)."""
+    return max(math.dist(a[:2], b[:2]) for a, b in zip(before, after, strict=True))
+
+
+def pile() -> Scene:
+    """Twelve mixed bodies that have settled between four walls."""
+
+    def build(engine: Any) -> list[Any]:
+        room(engine, 4.0, 4.0)
+        bodies = []
+        for i in range(12):
+            x, y = 0.6 + (i % 4) * 0.85, 0.5 + i // 4
+            disc = (x, y, 0.35)
+            bodies.append(engine.box(x, y, 0.8, 0.6) if i % 2 else engine.circle(*disc))
+        return bodies
+
+    return Scene("pile, 12", GRAVITY, 0.2, 0.5, build, 240, moved, "creep (m)")
+
+
+def bin_of(count: int) -> Scene:
+    """Discs and boxes that fall into a bin and come to lie on each other."""
+    radius = 0.25
+
+    def build(engine: Any) -> list[Any]:
+        columns = max(10, int(math.sqrt(count / 2)))
+        room(engine, columns * 0.75, 5.0 * count / columns)
+        bodies = []
+        for i in range(count):
+            x = 0.4 + 0.74 * (i % columns) + 0.04 * (i // columns % 3)
+            y = 0.4 + 0.72 * (i // columns)
+            round_one = i * 7919 % 3 == 0
+            bodies.append(engine.circle(x, y, radius) if round_one else engine.box(x, y, 0.5, 0.4))
+        return bodies
+
+    def overlap(before: States, after: States) -> float:
+        del before
+        discs = [state for i, state in enumerate(after) if i * 7919 % 3 == 0]
+        return deepest(discs, radius)
+
+    return Scene(f"bin, {count} mixed", GRAVITY, 0.1, 0.5, build, 0, overlap, "overlap (m)")
+
+
+def deepest(discs: Sequence[tuple[float, ...]], radius: float) -> float:
+    """The deepest overlap of two discs (m)."""
+    cells: dict[tuple[int, int], list[tuple[float, ...]]] = {}
+    for disc in discs:
+        at = (math.floor(disc[0] / radius / 2), math.floor(disc[1] / radius / 2))
+        cells.setdefault(at, []).append(disc)
+    most = 0.0
+    for (i, j), here in cells.items():
+        around = [cells.get((i + x, j + y), []) for x in (-1, 0, 1) for y in (-1, 0, 1)]
+        for a, b in itertools.product(here, itertools.chain(*around)):
+            if a is not b:
+                most = max(most, 2 * radius - math.dist(a[:2], b[:2]))
+    return most
+
+
+def chains(count: int, links: int) -> Scene:
+    """Chains of pinned boxes that swing down from the horizontal, each on a pin of its own."""
+    length = 0.4
+
+    def build(engine: Any) -> list[Any]:
+        bodies: list[Any] = []
+        for k in range(count):
+            before = None
+            for i in range(links):
+                link = engine.box((i + 0.5) * length, 25.0 * k, length, 0.1)
+                engine.pin(before, link, i * length, 25.0 * k)
+                bodies.append(link)
+                before = link
+        return bodies
+
+    def stretch(before: States, after: States) -> float:
+        del before
+        most = 0.0
+        for i, (x, y, angle, *_) in enumerate(after):
+            end = (x - math.cos(angle) * length / 2, y - math.sin(angle) * length / 2)
+            held = (0.0, 25.0 * (i // links))
+            if i % links:
+                x, y, angle, *_ = after[i - 1]
+                held = (x + math.cos(angle) * length / 2, y + math.sin(angle) * length / 2)
+            most = max(most, math.dist(end, held))
+        return most
+
+    name = f"{count} chains of {links} links"
+    return Scene(name, GRAVITY, 0.0, 0.5, build, 30, stretch, "gap in a joint (m)")
+
+
+SHORT = (gas(12), gas(100), pile(), pyramid(10))
+"""Scenes that take a moment."""
+
+LONG = (
+    gas(1000), gas(4000), pyramid(20), pyramid(40), bin_of(300), bin_of(2000), chains(25, 20),
+)  # fmt: skip
+"""Scenes that take minutes."""
