@@ -77,6 +77,7 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
     left = 0
     for k in range(resting):
         pair = t.pairs.resting[k]
+        t.pairs.acting[pair] = 0
         if t.pairs.state[pair] == RESTING:
             remember(t, pair)
             follow(t, pair, BARELY)

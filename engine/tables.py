@@ -289,7 +289,7 @@ class Pairs(NamedTuple):
     booked_rolling: Floats
     """What of the rolling resistance has been booked (N m s)."""
     acting: Ints
-    """Number of those that act in the present part; impacts may change `points` meanwhile."""
+    """Number of those that act in the present part, whatever impacts make of the pair meanwhile."""
     carried: Floats
     """Change of normal velocity that the resting contact brought about in its last part (m/s)."""
     part: Floats

@@ -43,7 +43,7 @@ def note_impact(t: Tables, pair: int, x: float, y: float, jx: float, jy: float) 
     pairs.given_y[pair] += jy
     pairs.hit_x[pair] = x
     pairs.hit_y[pair] = y
-    if pairs.state[pair] != RESTING:
+    if pairs.state[pair] != RESTING and pairs.acting[pair] == 0:
         pairs.normal_x[pair] = t.touch.normal_x[0]
         pairs.normal_y[pair] = t.touch.normal_y[0]
 
