@@ -45,18 +45,33 @@ def note_starts(bodies: Bodies, count: int) -> None:
         bodies.field_y[row] = 0.0
 
 
+def work_of(bodies: Bodies, row: int, x: float, y: float, spin: float) -> float:
+    """Energy (J) that a change of velocity (m/s) and spin (rad/s) is about to bring."""
+    work = x * (bodies.vx[row] + x / 2.0) + y * (bodies.vy[row] + y / 2.0)
+    work *= bodies.mass[row]
+    if bodies.inverse_inertia[row] > 0.0:
+        work += bodies.inertia[row] * spin * (bodies.spin[row] + spin / 2.0)
+    return work
+
+
 def book_lead(t: Tables, row: int, x: float, y: float, spin: float) -> None:
     """Book what an integrator adds to the velocities of a body, just before it does."""
     if x == 0.0 and y == 0.0 and spin == 0.0:
         return
-    bodies = t.bodies
-    mass = bodies.mass[row]
-    work = mass * (x * (bodies.vx[row] + x / 2.0) + y * (bodies.vy[row] + y / 2.0))
-    if bodies.inverse_inertia[row] > 0.0:
-        work += bodies.inertia[row] * spin * (bodies.spin[row] + spin / 2.0)
-    t.books.integrator_work[0] += work
+    mass = t.bodies.mass[row]
+    t.books.integrator_work[0] += work_of(t.bodies, row, x, y, spin)
     t.books.integrator_x[0] += mass * x
     t.books.integrator_y[0] += mass * y
+
+
+def book_jolt(t: Tables, row: int, x: float, y: float, spin: float) -> None:
+    """Book what joints add to the velocities of a body at once, just before they do."""
+    if t.bodies.inverse_mass[row] == 0.0:
+        return
+    mass = t.bodies.mass[row]
+    t.books.joint_work[0] += work_of(t.bodies, row, x, y, spin)
+    t.books.joint_x[0] += mass * x
+    t.books.joint_y[0] += mass * y
 
 
 def book_forces(t: Tables, count: int, laws: Laws, dt: float) -> None:
@@ -202,14 +217,44 @@ def book_relax(t: Tables, resting: int, count: int) -> None:
             mean_spin[row] = spin
             if abs(vx) + abs(vy) + abs(spin) > CALM:
                 calm = False
-    book_contacts(t, resting, 1.0, calm, True)
+    work, x, y = book_contacts(t, resting, 1.0, calm, True)
+    if t.braces.sizes[0] > 0:
+        book_ease(t, count, work, x, y)
 
 
-def book_contacts(t: Tables, resting: int, share: float, calm: bool, relaxing: bool) -> None:
+def book_ease(t: Tables, count: int, work: float, x: float, y: float) -> None:
+    """Book to the joints what changed velocities at the end of a part, less what contacts did (J,
+    N s).
+    """
+    bodies = t.bodies
+    total = 0.0
+    total_x = 0.0
+    total_y = 0.0
+    for row in range(count):
+        if bodies.held[row] > 0 and bodies.inverse_mass[row] > 0.0:
+            dx = bodies.kick_x[row] - bodies.vx[row]
+            dy = bodies.kick_y[row] - bodies.vy[row]
+            turn = bodies.kick_spin[row] - bodies.spin[row]
+            total += work_of(bodies, row, dx, dy, turn)
+            total_x += bodies.mass[row] * dx
+            total_y += bodies.mass[row] * dy
+    t.books.joint_work[0] += total - work
+    t.books.joint_x[0] += total_x - x
+    t.books.joint_y[0] += total_y - y
+
+
+def book_contacts(
+    t: Tables, resting: int, share: float, calm: bool, relaxing: bool
+) -> tuple[float, float, float]:
     """Book a `share` of the impulses of contacts, given at the mean velocities of the bodies.
 
-    Relaxing, only what they changed by since the part counts.
+    Relaxing, only what they changed by since the part counts. Returns the energy (J) and the
+    momentum (N s) that it brought to all bodies together.
     """
+    books = t.books
+    before_work = books.wall_work[0]
+    before_x = books.wall_x[0]
+    before_y = books.wall_y[0]
     pairs = t.pairs
     inverse_mass = t.bodies.inverse_mass
     mean_x = t.bodies.mean_x
@@ -269,8 +314,10 @@ def book_contacts(t: Tables, resting: int, share: float, calm: bool, relaxing: b
                 book_held(t, a, x, y, pair, points, share, relaxing)
             if inverse_mass[b] == 0.0:
                 book_held(t, b, -x, -y, pair, points, share, relaxing)
-    t.books.contact_heat[0] -= pressed * share
-    t.books.friction_heat[0] -= rubbed * share
+    books.contact_heat[0] -= pressed * share
+    books.friction_heat[0] -= rubbed * share
+    work = (pressed + rubbed) * share + books.wall_work[0] - before_work
+    return work, books.wall_x[0] - before_x, books.wall_y[0] - before_y
 
 
 def book_held(

@@ -9,8 +9,8 @@ it comes second and never reverses the sliding, no impact gains energy.
 
 import math
 
-from engine.linkage.velocities import react
 from engine.books import book_impact
+from engine.linkage.velocities import react
 from engine.manifolds.any_pair import touching_points
 from engine.meeting import STILL
 from engine.pose import advance, place_pair

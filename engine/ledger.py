@@ -26,6 +26,8 @@ class Impulses:
     drag: Vector
     walls: Vector
     """By walls and all that no impulse moves."""
+    joints: Vector
+    """By joints to fixed points of the world and to what no impulse moves."""
     hand: Vector
     """What adding, removing and setting bodies between ticks brought."""
     integrator: Vector
@@ -47,6 +49,8 @@ class Work:
     laws: float
     walls: float
     """By immovable bodies that move, and by belts (surface speed)."""
+    joints: float
+    """By motors and springs, less what they and other joints took."""
     hand: float
     integrator: float
 
@@ -130,8 +134,8 @@ class Ledger:
 def ledger(world: "World") -> Ledger:
     """Read the books of a world."""
     books, (momentum_x, momentum_y, kinetic) = world.tables.books, totals(world.tables).tolist()
-    names = ("gravity", "push", "field", "drag", "wall", "hand", "integrator")
-    works = ("gravity", "push", "field", "wall", "hand", "integrator")
+    names = ("gravity", "push", "field", "drag", "wall", "joint", "hand", "integrator")
+    works = ("gravity", "push", "field", "wall", "joint", "hand", "integrator")
     heats = ("restitution", "friction", "contact", "drag")
     impulses = [
         Vector(getattr(books, f"{name}_x")[0], getattr(books, f"{name}_y")[0]) for name in names

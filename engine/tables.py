@@ -633,6 +633,8 @@ class Books(NamedTuple):
     drag_y: Floats
     wall_x: Floats
     wall_y: Floats
+    joint_x: Floats
+    joint_y: Floats
     hand_x: Floats
     hand_y: Floats
     integrator_x: Floats
@@ -642,6 +644,7 @@ class Books(NamedTuple):
     push_work: Floats
     field_work: Floats
     wall_work: Floats
+    joint_work: Floats
     hand_work: Floats
     integrator_work: Floats
     restitution_heat: Floats

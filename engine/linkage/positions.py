@@ -8,6 +8,7 @@ does not drift. The equations are solved by Newton's method with the matrix of t
 (`skyline`), beginning with the impulses of the part before.
 """
 
+from engine.books import book_jolt
 from engine.linkage.geometry import aim, measure, place_nodes
 from engine.linkage.impulses import add_up, lend, note_impulses, solve_for, take
 from engine.linkage.modes import (
@@ -136,6 +137,7 @@ def deliver(t: Tables) -> None:
     bodies = t.bodies
     for node in range(1, t.braces.sizes[1]):
         row = nodes.body[node]
+        book_jolt(t, row, nodes.lent_x[node], nodes.lent_y[node], nodes.lent_spin[node])
         bodies.vx[row] += nodes.lent_x[node]
         bodies.vy[row] += nodes.lent_y[node]
         bodies.spin[row] += nodes.lent_spin[node]

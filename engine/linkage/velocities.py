@@ -4,6 +4,7 @@ That is the case at the end of each part (`ease`), and when something strikes a 
 bodies joined to it answer at the same instant (`react`).
 """
 
+from engine.books import book_jolt
 from engine.linkage.geometry import aim, place_node, place_nodes
 from engine.linkage.impulses import add_up, lend, noted_impulse, solve_for, take
 from engine.linkage.modes import DRIVEN, ELASTIC, STRAINED, coordinate_row
@@ -173,6 +174,7 @@ def react(
         if changed(t, node):
             row = nodes.body[node]
             advance(bodies, row, time)
+            book_jolt(t, row, nodes.lent_x[node], nodes.lent_y[node], nodes.lent_spin[node])
             bodies.vx[row] += nodes.lent_x[node]
             bodies.vy[row] += nodes.lent_y[node]
             bodies.spin[row] += nodes.lent_spin[node]

@@ -59,7 +59,7 @@ class Ours:
         return self.world.add(shape, position=(x, y), mass=width * height, **self.material)
 
     def pin(self, a: Any, b: Any, x: float, y: float) -> None:
-        self.world.join(b, a, Pin(at=(x, y)))
+        self.world.join(a, b, Pin(at=(x, y)))
 
     def step(self) -> None:
         self.world.step(TICK)
