@@ -147,6 +147,24 @@ def book_impact(t: Tables, pair: int, x: float, y: float, jx: float, jy: float) 
         book_wall(t, b, x, y, -jx, -jy)
 
 
+def book_more(t: Tables, pair: int, x: float, y: float, jx: float, jy: float) -> None:
+    """Book what is about to be added to an impact at (x, y) (N s), along the normal."""
+    walls = t.books.wall_work[0]
+    book_impact(t, pair, x, y, jx, jy)
+    work = work_at(t.bodies, t.pairs.a[pair], x, y, -jx, -jy)
+    work += work_at(t.bodies, t.pairs.b[pair], x, y, jx, jy)
+    t.books.restitution_heat[0] += t.books.wall_work[0] - walls - work
+
+
+def work_at(bodies: Bodies, row: int, x: float, y: float, jx: float, jy: float) -> float:
+    """Energy (J) that an impulse (N s) at (x, y) is about to bring to a body."""
+    if bodies.inverse_mass[row] == 0.0:
+        return 0.0
+    turn = (x - bodies.here_x[row]) * jy - (y - bodies.here_y[row]) * jx
+    inverse = bodies.inverse_mass[row]
+    return work_of(bodies, row, inverse * jx, inverse * jy, turn * bodies.inverse_inertia[row])
+
+
 def book_part(
     t: Tables, resting: int, count: int, part: float, reached: float, disturbed: bool
 ) -> None:
@@ -179,22 +197,17 @@ def book_part(
                 calm = False
     if disturbed and reached > 0.0:
         calm = False
-        measure_means(bodies, count, part, reached)
+        measure_means(bodies, count, reached)
     book_contacts(t, resting, reached / part, calm, False)
 
 
-def measure_means(bodies: Bodies, count: int, part: float, reached: float) -> None:
+def measure_means(bodies: Bodies, count: int, reached: float) -> None:
     """Set mean velocities by the ways that bodies went in a part with impacts within it (s)."""
-    half = part / 2.0
     for row in range(count):
         if bodies.held[row] > 0:
-            vx = bodies.kick_x[row] - bodies.path_x[row] * part
-            vy = bodies.kick_y[row] - bodies.path_y[row] * part
-            spin = bodies.kick_spin[row] - bodies.path_spin[row] * part
-            bodies.mean_x[row] = (bodies.x[row] - bodies.middle_x[row] + vx * half) / reached
-            bodies.mean_y[row] = (bodies.y[row] - bodies.middle_y[row] + vy * half) / reached
-            turned = bodies.angle[row] - bodies.middle_angle[row]
-            bodies.mean_spin[row] = (turned + spin * half) / reached
+            bodies.mean_x[row] = (bodies.x[row] - bodies.from_x[row]) / reached
+            bodies.mean_y[row] = (bodies.y[row] - bodies.from_y[row]) / reached
+            bodies.mean_spin[row] = (bodies.angle[row] - bodies.from_angle[row]) / reached
 
 
 def book_relax(t: Tables, resting: int, count: int) -> None:

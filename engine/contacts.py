@@ -58,6 +58,9 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
             bodies.path_x[row] = (bodies.kick_x[row] - bodies.vx[row]) / part
             bodies.path_y[row] = (bodies.kick_y[row] - bodies.vy[row]) / part
             bodies.path_spin[row] = (bodies.kick_spin[row] - bodies.spin[row]) / part
+            bodies.from_x[row] = bodies.x[row]
+            bodies.from_y[row] = bodies.y[row]
+            bodies.from_angle[row] = bodies.angle[row]
 
 
 def relax(t: Tables, resting: int, count: int, part: float, done: float, steady: bool) -> None:

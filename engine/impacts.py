@@ -9,7 +9,7 @@ it comes second and never reverses the sliding, no impact gains energy.
 
 import math
 
-from engine.books import book_impact
+from engine.books import book_impact, book_more
 from engine.linkage.velocities import react
 from engine.manifolds.any_pair import touching_points
 from engine.meeting import STILL
@@ -205,6 +205,7 @@ def exchange_with_joints(
         old = velocities_of(bodies, a, b)
         x = t.impacts.x[row]
         y = t.impacts.y[row]
+        book_more(t, pair, x, y, more * normal_x, more * normal_y)
         give(t, pair, x, y, more * normal_x, more * normal_y)
         note_impact(t, pair, x, y, more * normal_x, more * normal_y)
         react(t, a, b, time, old)

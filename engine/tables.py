@@ -158,6 +158,10 @@ class Bodies(NamedTuple):
     field_x: Floats
     """Mean force of the laws of force in this tick (N)."""
     field_y: Floats
+    from_x: Floats
+    """Pose when the present part of the tick began (m, rad)."""
+    from_y: Floats
+    from_angle: Floats
     mean_x: Floats
     """Mean velocity in the present part, or of before and after an exchange of impulses (m/s)."""
     mean_y: Floats
