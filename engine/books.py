@@ -329,6 +329,7 @@ def book_contacts(
                 book_held(t, b, -x, -y, pair, points, share, relaxing)
     books.contact_heat[0] -= pressed * share
     books.friction_heat[0] -= rubbed * share
+    books.wall_work[0] -= driven * share
     work = (pressed + rubbed) * share + books.wall_work[0] - before_work
     return work, books.wall_x[0] - before_x, books.wall_y[0] - before_y
 

@@ -14,9 +14,11 @@ from engine import (
     Ledger,
     LinearDrag,
     Particle,
+    Pin,
     PointGravity,
     Polygon,
     QuadraticDrag,
+    Spring,
     SpringTo,
     Torque,
     Wall,
@@ -223,3 +225,66 @@ def test_the_books_are_saved_and_restored_with_the_world() -> None:
 def test_a_ledger_is_compared_with_ledgers_only() -> None:
     with pytest.raises(TypeError, match="only a Ledger can be compared with, not 3"):
         World().ledger().since(3)  # type: ignore[arg-type]
+
+
+def test_a_belt_does_the_work_that_friction_takes_and_bodies_keep() -> None:
+    """A box comes to the speed of a belt: half of the work of the belt is heat (m v^2 / 2)."""
+    world = World(gravity=(0, -G), integrator="velocity-verlet")
+    world.add(Wall((-5, 0), (20, 0)), friction=0.5, surface_speed=1.5)
+    box = world.add(Polygon.box(1, 1), mass=2, position=(0, 0.5), friction=0.5)
+    start = world.ledger()
+    world.run(60)
+    change = world.ledger().since(start)
+    speed = abs(box.velocity.x)
+    assert speed == pytest.approx(1.5, rel=1e-3)
+    assert change.work.walls == pytest.approx(2 * 1.5**2, rel=1e-2)
+    assert change.dissipated.friction == pytest.approx(2 * 1.5**2 / 2, rel=2e-2)
+    closes(world.ledger())
+
+
+def test_moving_platforms_and_rolling_resistance_are_booked() -> None:
+    world = World(gravity=(0, -G), integrator="velocity-verlet")
+    world.add(Wall((-5, 0), (20, 0)), friction=0.5)
+    platform = Polygon.box(2, 0.2)
+    world.add(
+        platform, position=(3, 1), kind="kinematic", velocity=(0.5, 0.3), spin=0.2, friction=0.6,
+        restitution=0.5,
+    )  # fmt: skip
+    ball = world.add(Circle(0.3), position=(3, 2), restitution=0.6, rolling_resistance=0.05)
+    world.add(
+        Circle(0.5), position=(-3, 0.5), velocity=(2, 0), friction=0.5, rolling_resistance=0.02
+    )
+    for _ in range(5):
+        world.run(24)
+        closes(world.ledger())
+    assert world.ledger().work.walls > 0
+    assert ball.y > 0
+
+
+@pytest.mark.parametrize("integrator", INTEGRATORS)
+def test_the_books_of_joined_bodies_close(integrator: str) -> None:
+    """Chains with a motor, a spring and a rod, that swing, are struck, and lie down."""
+    world = World(gravity=(0, -G), integrator=integrator)
+    world.add(Wall((-9, -1.5), (9, -1.5)), friction=0.5, restitution=0.3)
+    before = None
+    for i in range(4):
+        at = (0.05 + 0.5 * i, 0)
+        link = world.add(Polygon.box(0.5, 0.2), position=(0.3 + 0.5 * i, 0), friction=0.4)
+        motor = 2.0 if i == 2 else None
+        world.join(before, link, Pin(at=at, motor_speed=motor, max_torque=1.0))
+        before = link
+    bob = world.add(Circle(0.3), position=(-2, 0))
+    world.join(None, bob, Spring(20.0, damping=0.5, anchor_a=(-2, 2), anchor_b=(-2, 0.3)))
+    world.add(Circle(0.3), position=(1, 3), velocity=(0.2, -3), restitution=0.8)
+    for _ in range(4):
+        world.run(30)
+        closes(world.ledger())
+
+
+def test_a_motor_does_torque_times_turn() -> None:
+    world = World(integrator="velocity-verlet")
+    wheel = world.add(Circle(0.5), mass=2)
+    world.join(None, wheel, Pin(at=(0, 0), motor_speed=3.0, max_torque=0.1))
+    world.run(120)
+    assert world.ledger().work.joints == pytest.approx(wheel.kinetic_energy, rel=1e-9)
+    assert world.ledger().work.joints == pytest.approx(0.1 * wheel.angle, rel=1e-6)
