@@ -165,6 +165,13 @@ def work_at(bodies: Bodies, row: int, x: float, y: float, jx: float, jy: float) 
     return work_of(bodies, row, inverse * jx, inverse * jy, turn * bodies.inverse_inertia[row])
 
 
+def note_part(bodies: Bodies, row: int) -> None:
+    """Note where a body is when a part of the tick begins."""
+    bodies.from_x[row] = bodies.x[row]
+    bodies.from_y[row] = bodies.y[row]
+    bodies.from_angle[row] = bodies.angle[row]
+
+
 def book_part(
     t: Tables, resting: int, count: int, part: float, reached: float, disturbed: bool
 ) -> None:

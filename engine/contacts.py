@@ -7,7 +7,7 @@ part before. Each is exchanged at one common point while the bodies stand in the
 of the tick (or, when relaxing, at its end), so that angular momentum is kept to rounding.
 """
 
-from engine.books import book_relax, book_turn
+from engine.books import book_relax, book_turn, note_part
 from engine.following import follow, share_of_b
 from engine.linkage.impulses import add_up
 from engine.linkage.positions import bind, brace, follow_joints, keep_impulses
@@ -58,9 +58,7 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
             bodies.path_x[row] = (bodies.kick_x[row] - bodies.vx[row]) / part
             bodies.path_y[row] = (bodies.kick_y[row] - bodies.vy[row]) / part
             bodies.path_spin[row] = (bodies.kick_spin[row] - bodies.spin[row]) / part
-            bodies.from_x[row] = bodies.x[row]
-            bodies.from_y[row] = bodies.y[row]
-            bodies.from_angle[row] = bodies.angle[row]
+            note_part(bodies, row)
 
 
 def relax(t: Tables, resting: int, count: int, part: float, done: float, steady: bool) -> None:

@@ -129,6 +129,7 @@ def hold(t: Tables, count: int, resting: int, now: float, part: float, substep: 
         hit = False
         for k in range(resting):
             pair = t.pairs.resting[k]
+            t.pairs.acting[pair] = 0
             if t.pairs.state[pair] != RESTING:
                 continue
             if not again:

@@ -6,6 +6,7 @@ what velocity the bodies have is left to the pass without springs at the end of 
 are rigid meanwhile: overlaps stay as they are.
 """
 
+from engine.books import note_part
 from engine.contacts import STEADY_SWEEPS, STILL, stiffen, sweep_until_calm, warm_start
 from engine.following import find_points, follow, has_drifted
 from engine.tables import Tables
@@ -127,6 +128,7 @@ def balance(t: Tables, count: int, resting: int, part: float) -> bool:
             bodies.kick_x[row] += bodies.vx[row]
             bodies.kick_y[row] += bodies.vy[row]
             bodies.kick_spin[row] += bodies.spin[row]
+            note_part(bodies, row)
     return balanced
 
 
