@@ -74,6 +74,16 @@ def book_jolt(t: Tables, row: int, x: float, y: float, spin: float) -> None:
     t.books.joint_y[0] += mass * y
 
 
+def book_halt(t: Tables, row: int) -> None:
+    """Book what is left of the motion of a body that is about to sleep, to what it rests on."""
+    bodies = t.bodies
+    vx = bodies.vx[row]
+    vy = bodies.vy[row]
+    t.books.contact_heat[0] -= work_of(bodies, row, -vx, -vy, -bodies.spin[row])
+    t.books.wall_x[0] -= bodies.mass[row] * vx
+    t.books.wall_y[0] -= bodies.mass[row] * vy
+
+
 def book_forces(t: Tables, count: int, laws: Laws, dt: float) -> None:
     """Book the work and the impulses of all forces in a tick of `dt` seconds that is over."""
     bodies = t.bodies

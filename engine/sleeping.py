@@ -7,6 +7,7 @@ push nor a Python function acts on them. It wakes as a whole, before anything ca
 """
 
 from engine.accelerate import act_on
+from engine.books import book_halt
 from engine.fields import GIVEN
 from engine.meeting import gap_at
 from engine.pose import put
@@ -110,6 +111,7 @@ def spread(t: Tables) -> None:
 def lay_down(t: Tables, row: int) -> None:
     """Let a body sleep."""
     bodies = t.bodies
+    book_halt(t, row)
     bodies.asleep[row] = 1
     bodies.moves[row] = 0
     bodies.inverse_mass[row] = bodies.inverse_inertia[row] = 0.0

@@ -288,3 +288,13 @@ def test_a_motor_does_torque_times_turn() -> None:
     world.run(120)
     assert world.ledger().work.joints == pytest.approx(wheel.kinetic_energy, rel=1e-9)
     assert world.ledger().work.joints == pytest.approx(0.1 * wheel.angle, rel=1e-6)
+
+
+def test_bodies_that_fall_asleep_leave_the_books_closed() -> None:
+    world = World(gravity=(0, -G), sleeping=True)
+    world.add(Wall((-5, 0), (9, 0)), friction=0.5)
+    for i in range(2):
+        world.add(Polygon.box(1, 1), position=(2 * i, 0.6), velocity=(0.3 * i, 0), friction=0.5)
+    world.add(Circle(0.3), position=(0, 20), restitution=0.5)
+    world.run(150)
+    closes(world.ledger())
