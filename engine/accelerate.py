@@ -32,9 +32,13 @@ def accelerate(
     forced: bool,
 ) -> None:
     """Set mean accelerations, leads and mean forces of this tick; use up the time of the pushes."""
+    ax = bodies.ax
+    ay = bodies.ay
+    moves = bodies.moves
     for row in range(count):
-        bodies.ax[row] = bodies.ay[row] = bodies.aspin[row] = 0.0
-        bodies.lead_x[row] = bodies.lead_y[row] = bodies.lead_spin[row] = 0.0
+        if moves[row] == 1:
+            ax[row] = ay[row] = bodies.aspin[row] = 0.0
+            bodies.lead_x[row] = bodies.lead_y[row] = bodies.lead_spin[row] = 0.0
     push(bodies, count, pushes, pushing, dt)
     if forced:
         note_starts(bodies, count)
@@ -43,6 +47,8 @@ def accelerate(
     while everyone < fielded and fields.row[everyone] == EVERY_BODY:
         everyone += 1
     first = everyone
+    dragged = laws.linear_drag > 0.0 or laws.quadratic_drag > 0.0
+    lead = lead_of_euler(laws, dt)
     for row in range(count):
         last = first
         while last < fielded and fields.row[last] == row:
@@ -50,10 +56,18 @@ def accelerate(
         if bodies.inverse_mass[row] > 0.0:
             if everyone > 0 or last > first:
                 immerse(bodies, row, fields, everyone, first, last, laws, dt)
-            else:
+            elif dragged:
                 resist(bodies, row, laws, dt)
-            bodies.force_x[row] = bodies.mass[row] * bodies.ax[row]
-            bodies.force_y[row] = bodies.mass[row] * bodies.ay[row]
+            else:
+                scale = bodies.gravity_scale[row]
+                ax[row] += scale * laws.gravity_x
+                ay[row] += scale * laws.gravity_y
+                if lead != 0.0:
+                    bodies.lead_x[row] = ax[row] * lead
+                    bodies.lead_y[row] = ay[row] * lead
+                    bodies.lead_spin[row] = bodies.aspin[row] * lead
+            bodies.force_x[row] = bodies.mass[row] * ax[row]
+            bodies.force_y[row] = bodies.mass[row] * ay[row]
             if bodies.held[row] > 0:
                 bodies.lead_x[row] = bodies.lead_y[row] = bodies.lead_spin[row] = 0.0
         first = last
@@ -76,6 +90,13 @@ def act_on(bodies: Bodies, row: int, fields: Fields, laws: Laws, dt: float) -> N
     immerse(bodies, row, fields, everyone, first, last, laws, dt)
     bodies.force_x[row] = bodies.mass[row] * bodies.ax[row]
     bodies.force_y[row] = bodies.mass[row] * bodies.ay[row]
+
+
+def lead_of_euler(laws: Laws, dt: float) -> float:
+    """Lead per acceleration (s) of the two Euler methods; 0 for the others."""
+    if laws.integrator == SEMI_IMPLICIT_EULER:
+        return dt / 2.0
+    return -dt / 2.0 if laws.integrator == EXPLICIT_EULER else 0.0
 
 
 def push(bodies: Bodies, count: int, pushes: Pushes, pushing: int, dt: float) -> None:

@@ -32,7 +32,7 @@ BARELY = 1e-9
 """Bodies that moved less since the middle of the part, in reaches of the smaller one, relax where
 they were: what they still exchange is as little."""
 
-TO_RELAX = 2
+TO_RELAX = 4
 """Sweeps without the spring that a part has at least: they also calm what rocks as a whole, of
 which a sweep takes little."""
 

@@ -26,13 +26,21 @@ NOWHERE = -1e300
 def measure_ways(t: Tables, count: int, part: float) -> None:
     """Bound how far any point of each body moves within the part (s)."""
     bodies = t.bodies
+    moves = bodies.moves
+    vx = bodies.vx
+    vy = bodies.vy
+    path_x = bodies.path_x
+    path_y = bodies.path_y
     for row in range(count):
-        speed = abs(bodies.vx[row]) + abs(bodies.vy[row])
-        speed += (abs(bodies.path_x[row]) + abs(bodies.path_y[row])) * part
+        if moves[row] == 0:
+            bodies.way[row] = 0.0
+            continue
+        speed = abs(vx[row]) + abs(vy[row]) + (abs(path_x[row]) + abs(path_y[row])) * part
         swing = bodies.reach[row]
         if bodies.pieces[row] == 1:
             swing = t.pieces.swing[bodies.first_piece[row]]
-        speed += (abs(bodies.spin[row]) + abs(bodies.path_spin[row]) * part) * swing
+        if swing > 0.0:
+            speed += (abs(bodies.spin[row]) + abs(bodies.path_spin[row]) * part) * swing
         bodies.way[row] = speed * part
 
 

@@ -85,9 +85,26 @@ def advance(bodies: Bodies, row: int, time: float) -> None:
 
 def advance_all(bodies: Bodies, count: int, time: float) -> None:
     """Move all bodies along their paths to `time` of the part (s), which ends there."""
+    clock = bodies.clock
+    moves = bodies.moves
+    vx = bodies.vx
+    vy = bodies.vy
+    spin = bodies.spin
     for row in range(count):
-        advance(bodies, row, time)
-        bodies.clock[row] = 0.0
+        passed = time - clock[row]
+        clock[row] = 0.0
+        if moves[row] == 0 or passed == 0.0:
+            continue
+        half = passed * passed / 2.0
+        ax = bodies.path_x[row]
+        ay = bodies.path_y[row]
+        turn = bodies.path_spin[row]
+        bodies.x[row] += vx[row] * passed + ax * half
+        bodies.y[row] += vy[row] * passed + ay * half
+        bodies.angle[row] += spin[row] * passed + turn * half
+        vx[row] += ax * passed
+        vy[row] += ay * passed
+        spin[row] += turn * passed
 
 
 def velocity_at(bodies: Bodies, row: int, time: float, x: float, y: float) -> tuple[float, float]:

@@ -347,10 +347,15 @@ def farthest(t: Tables, row: int, lasts: float) -> tuple[float, float]:
 
 def runaway(bodies: Bodies, count: int, dt: float) -> int:
     """Row of the first body whose pose, or where it goes in `dt`, no number can hold; -1: none."""
+    moves = bodies.moves
+    x = bodies.x
+    y = bodies.y
+    angle = bodies.angle
     for row in range(count):
-        x = bodies.x[row] + (bodies.vx[row] + bodies.ax[row] * dt) * dt
-        y = bodies.y[row] + (bodies.vy[row] + bodies.ay[row] * dt) * dt
-        turn = bodies.angle[row] + (bodies.spin[row] + bodies.aspin[row] * dt) * dt
-        if not (-MOST < x < MOST and -MOST < y < MOST and -MOST < turn < MOST):
+        if moves[row] == 0:
+            continue
+        speed = abs(bodies.vx[row]) + abs(bodies.vy[row]) + abs(bodies.spin[row])
+        speed += (abs(bodies.ax[row]) + abs(bodies.ay[row]) + abs(bodies.aspin[row])) * dt
+        if not abs(x[row]) + abs(y[row]) + abs(angle[row]) + speed * dt < MOST:
             return row
     return -1

@@ -1,0 +1,92 @@
+"""What is put at rest stays at rest: towers, heavy on light, and worlds that should never burst."""
+
+import math
+
+import pytest
+
+from engine import Body, Circle, Force, Polygon, Wall, World
+
+G = 9.81
+
+
+def ground(friction: float = 0.5, width: float = 50.0) -> World:
+    world = World(gravity=(0, -G), integrator="velocity-verlet")
+    world.add(Wall((-width, 0), (width, 0)), friction=friction)
+    return world
+
+
+def tower(world: World, height: int, size: float = 1.0) -> list[Body]:
+    return [
+        world.add(Polygon.box(size, size), position=(0, size * (i + 0.5)), friction=0.5)
+        for i in range(height)
+    ]
+
+
+@pytest.mark.parametrize("height", [10, 20])
+def test_towers_stand_and_come_to_rest(height: int) -> None:
+    """After ten seconds no box moves faster than 1 mm/s."""
+    world = ground()
+    boxes = tower(world, height)
+    for tick in range(620):
+        world.step()
+        if tick >= 600:
+            assert max(box.speed for box in boxes) < 1e-3
+    for i, box in enumerate(boxes):
+        assert box.x == pytest.approx(0, abs=2e-3)
+        assert box.y == pytest.approx(i + 0.5, abs=1e-3 * height)
+
+
+def test_five_boxes_sag_by_less_than_a_millimetre() -> None:
+    world = ground()
+    boxes = tower(world, 5)
+    for _ in range(300):
+        world.step()
+    assert 4.5 - 1e-3 < boxes[-1].y < 4.5
+
+
+def test_a_hundred_times_heavier_box_stands_on_a_light_one() -> None:
+    world = ground()
+    light = world.add(Polygon.box(1, 1), position=(0, 0.5), mass=1, friction=0.5)
+    heavy = world.add(Polygon.box(1, 1), position=(0, 1.5), mass=100, friction=0.5)
+    for _ in range(600):
+        world.step()
+    assert heavy.y == pytest.approx(1.5, abs=1e-2)
+    assert light.y == pytest.approx(0.5, abs=5e-3)
+    assert max(heavy.speed, light.speed) < 1e-2  # they rock a little
+
+
+def test_a_hundred_circles_in_one_point_come_apart() -> None:
+    world = World()
+    bodies = [world.add(Circle(0.1)) for _ in range(100)]
+    for _ in range(300):
+        world.step()
+        assert world.kinetic_energy < 100.0
+    places = {(round(body.x, 3), round(body.y, 3)) for body in bodies}
+    assert len(places) == 100
+    assert world.momentum == pytest.approx((0, 0), abs=1e-9)
+
+
+@pytest.mark.parametrize("size", [1e-3, 1e3])
+def test_bodies_of_any_size_stack(size: float) -> None:
+    """A stack of three, as large as a grain or a mountain, falls no further than it should."""
+    world = ground(width=50 * size)
+    boxes = tower(world, 3, size)
+    for _ in range(240):
+        world.step()
+    for i, box in enumerate(boxes):
+        assert box.y == pytest.approx(size * (i + 0.5), abs=0.02 * size)
+        assert abs(box.angle) < 0.02
+
+
+def test_an_immense_force_makes_no_nonsense() -> None:
+    """1e12 N on a box that stands among others: v = F t / m, nothing else, and no NaN."""
+    world = ground()
+    boxes = tower(world, 3)
+    boxes[2].exert(Force(0, 1e12), duration=1 / 60)
+    for _ in range(30):
+        world.step()
+    assert boxes[2].vy == pytest.approx(1e12 / 60, rel=1e-9)
+    for box in boxes[:2]:
+        assert math.isfinite(box.x)
+        assert math.isfinite(box.y)
+        assert box.speed < 1.0
