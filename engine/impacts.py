@@ -26,6 +26,9 @@ drums on its neighbours in a heap rests on them."""
 AGAIN = 6.0
 """Bodies that met within so many substeps have just met."""
 
+YIELDS = 1e-6
+"""Share of the speed of free bodies that joined ones change by at least, if they yield at all."""
+
 
 def strike(
     t: Tables,
@@ -200,7 +203,7 @@ def exchange_with_joints(
     normal_y = t.touch.normal_y[0]
     given = t.impacts.impulse_x[row] * normal_x + t.impacts.impulse_y[row] * normal_y
     reached = approach(t, pair, one)
-    if before - reached > STILL:
+    if reached > wanted and before - reached > YIELDS * (before - wanted):
         more = given * (reached - wanted) / (before - reached)
         old = velocities_of(bodies, a, b)
         x = t.impacts.x[row]

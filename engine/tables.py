@@ -533,6 +533,8 @@ class Equations(NamedTuple):
     """Summed over the part (N s or N m s)."""
     change: Floats
     """What the last step added to it."""
+    total: Floats
+    """What all steps added to it since the equations were taken up."""
     solved: Ints
     """Whether it is one of the equations."""
     soft: Floats

@@ -46,6 +46,7 @@ def take(t: Tables, share: float, spent: bool, bounded: bool) -> bool:
                     joints.mode[joint] = overstrained(t, joint)
                     changed = True
             equations.change[row] = change
+            equations.total[row] += change
             equations.impulse[row] += change
             lend(t, row, change)
     return changed

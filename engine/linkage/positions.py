@@ -28,6 +28,9 @@ from engine.tables import Tables
 MOST_STEPS = 40
 """Steps of Newton's method that a part has at most."""
 
+STRIDE = 0.25
+"""Longest step, in reaches of the smaller body (rad)."""
+
 MOST_CHANGES = 12
 """How often limits and motors may change their minds in a part. A limit begins, and a strained
 motor ends, only where everything else is solved; else they would chase each other."""
@@ -63,7 +66,10 @@ def bind(t: Tables, part: float) -> float:
     if t.braces.sizes[0] == 0:
         return 0.0
     gather_means(t)
+    for row in range(t.braces.sizes[2]):
+        t.equations.total[row] = 0.0
     failed = 0.0
+    worst = 0.0
     before = 0.0
     changes = 0
     fresh = True
@@ -85,13 +91,35 @@ def bind(t: Tables, part: float) -> float:
             step_back(t)
             continue
         before = worst
+        if worst > STRIDE:
+            shorten(t, STRIDE / worst)
         solve(t)
         fresh = take(t, 0.5, False, changes < MOST_CHANGES)
         if fresh:
             renew(t, part)
             changes += 1
+    if worst > STRIDE:
+        give_up(t)
     deliver(t)
     return failed
+
+
+def give_up(t: Tables) -> None:
+    """Take all steps back, as they led nowhere: bodies fly on, which gains no energy."""
+    equations = t.equations
+    nodes = t.nodes
+    for row in range(t.braces.sizes[2]):
+        equations.impulse[row] -= equations.total[row]
+    for node in range(1, t.braces.sizes[1]):
+        nodes.lent_x[node] = 0.0
+        nodes.lent_y[node] = 0.0
+        nodes.lent_spin[node] = 0.0
+
+
+def shorten(t: Tables, share: float) -> None:
+    """Ask for a share of the step only: far away, the matrix says little about the goal."""
+    for row in range(t.braces.sizes[2]):
+        t.equations.unknown[row] *= share
 
 
 def step_back(t: Tables) -> None:
@@ -101,6 +129,7 @@ def step_back(t: Tables) -> None:
         half = equations.change[row] / 2.0
         equations.change[row] = half
         equations.impulse[row] -= half
+        equations.total[row] -= half
         lend(t, row, -half)
 
 

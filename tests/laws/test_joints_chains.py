@@ -56,15 +56,15 @@ def test_a_hanging_string_of_beads_is_the_discrete_catenary() -> None:
 
 
 def rods_on_the_floor() -> Iterator[tuple[World, list[Body]]]:
-    """Three pinned rods, that fall on a floor and slide there."""
+    """Three pinned rods that fall a centimetre on a floor and slide there."""
     world = World(gravity=(0, -G))
     world.add(Wall((-9, 0), (9, 0)), friction=0.4)
     rods = [
-        world.add(Polygon.box(0.5, 0.1), mass=1, position=(0.5 * i, 0.5), friction=0.4)
+        world.add(Polygon.box(0.5, 0.1), mass=1, position=(0.5 * i, 0.06), friction=0.4)
         for i in range(3)
     ]
     for i in (1, 2):
-        world.join(rods[i - 1], rods[i], Pin(at=(0.5 * i - 0.25, 0.5)))
+        world.join(rods[i - 1], rods[i], Pin(at=(0.5 * i - 0.25, 0.06)))
     for rod in rods:
         rod.velocity = (1, 0)
     for _ in range(180):
