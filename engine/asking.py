@@ -12,11 +12,11 @@ from typing import Any
 
 import numpy as np
 
-from engine.fields import GIVEN
 from engine.force_laws import effort
+from engine.kernels.fields import GIVEN
+from engine.kernels.tick import act
 from engine.settings import RK4, VELOCITY_VERLET, Laws
 from engine.store import Store
-from engine.tick import act
 
 MOVED = ("x", "y", "angle", "vx", "vy", "spin")
 

@@ -3,12 +3,12 @@
 from engine import collision, jit, warming
 from engine.collision import Collision, Diverged
 from engine.jit import Kernels
+from engine.kernels.tick import FULL, LOOSE, LOST, UNMIXED, WAITING
+from engine.kernels.travel import DONE
 from engine.pair_rows import mix_by_rules
 from engine.settings import PLAIN_RULES, Laws, Rules
 from engine.store import Store
 from engine.tables import Tables
-from engine.tick import FULL, LOOSE, LOST, UNMIXED, WAITING
-from engine.travel import DONE
 
 BODY, PAIR = 15e-6, 40e-6
 """What an interpreted tick takes for each body and for each pair, roughly (s). An estimate, so that

@@ -4,7 +4,7 @@ import math
 from typing import Any
 
 from engine import filters, materials, validate
-from engine.pose import put
+from engine.kernels.pose import put
 from engine.shapes import Barrier, Particle, Piece, Shape
 from engine.tables import Corners, Tables
 

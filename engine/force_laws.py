@@ -9,9 +9,9 @@ import numpy as np
 
 from engine import validate
 from engine.body import Body
-from engine.fields import EVERY_BODY, GIVEN, POINT_GRAVITY, SPRING_TO
 from engine.forces import Force, Torque
 from engine.inputs import noted
+from engine.kernels.fields import EVERY_BODY, GIVEN, POINT_GRAVITY, SPRING_TO
 from engine.tables import Fields, allocate, views
 from engine.vector import Vector
 

@@ -18,23 +18,36 @@ from functools import cache, partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from engine import machine_code, tick
+from engine import machine_code
+from engine.kernels import tick
 from engine.settings import Laws
 from engine.tables import Tables
 
 MODES = ("auto", "interpreted", "compiled")
 
+LAYOUT = (
+    "jit",
+    "pointers",
+    "settings",
+    "tables.columns",
+    "tables.bodies",
+    "tables.pairs",
+    "tables.linkage",
+    "tables.world",
+)
+"""Modules that machine code depends on besides: what tables and laws look like."""
+
 VARIABLE = "LAWS_KERNELS"
 """Environment variable that decides for worlds that are made with kernels="auto"."""
 
 SOURCES = (
-    "accelerate",
-    "books",
-    "broadphase",
-    "contacts",
-    "fields",
-    "following",
-    "impacts",
+    "kernels.accelerate",
+    "kernels.books",
+    "kernels.broadphase",
+    "kernels.contacts",
+    "kernels.fields",
+    "kernels.following",
+    "kernels.impacts",
     "linkage.geometry",
     "linkage.impulses",
     "linkage.modes",
@@ -48,19 +61,19 @@ SOURCES = (
     "manifolds.link",
     "manifolds.round_hull",
     "manifolds.round_round",
-    "meeting",
-    "neighbours",
-    "pairing",
-    "pose",
-    "resting",
-    "rubbing",
-    "sensing",
-    "sleeping",
-    "spring",
-    "steady",
-    "touches",
-    "travel",
-    "tick",
+    "kernels.meeting",
+    "kernels.neighbours",
+    "kernels.pairing",
+    "kernels.pose",
+    "kernels.resting",
+    "kernels.rubbing",
+    "kernels.sensing",
+    "kernels.sleeping",
+    "kernels.spring",
+    "kernels.steady",
+    "kernels.touches",
+    "kernels.travel",
+    "kernels.tick",
 )
 """Modules whose functions are kernels."""
 
@@ -109,7 +122,7 @@ def available() -> bool:
 def key() -> str:
     """Tells apart machine code of other sources, versions and machines."""
     digest = hashlib.sha256()
-    for name in (*SOURCES, "jit", "pointers", "settings", "tables"):
+    for name in (*SOURCES, *LAYOUT):
         source = importlib.util.find_spec(f"engine.{name}")
         if source is not None and source.origin is not None:
             digest.update(Path(source.origin).read_bytes())

@@ -6,8 +6,8 @@ others and is pushed by nobody. A static body stays until it is put elsewhere; w
 
 from typing import TYPE_CHECKING, Any
 
-from engine.pose import put
-from engine.resting import settling_speed
+from engine.kernels.pose import put
+from engine.kernels.resting import settling_speed
 from engine.settings import TICK
 from engine.tables import FREE, RESTING
 from engine.vector import Vector

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from engine.rubbing import finish_mixing, static_friction
+from engine.kernels.rubbing import finish_mixing, static_friction
 from engine.settings import Rule
 from engine.tables import RESTING, Tables, arrays
 

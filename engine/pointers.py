@@ -30,7 +30,7 @@ from numba.extending import (
     register_model,
 )
 
-from engine import tick
+from engine.kernels import tick
 from engine.settings import Laws
 from engine.tables import Floats, Ints, Tables, clear_row, copy_row
 

@@ -5,7 +5,6 @@ from typing import Any
 
 import numpy as np
 
-from engine import sleeping
 from engine import snapshot as snapshots
 from engine.body import Body
 from engine.collision import Removed
@@ -13,12 +12,13 @@ from engine.enrol import corners_of, write_body
 from engine.filters import ignored_columns, ignored_keys, pair_keys
 from engine.force_laws import ActingLaw, field_columns, field_table
 from engine.joints import Joint
+from engine.kernels import sleeping
+from engine.kernels.pairing import link
 from engine.ledger import book_hand, totals
 from engine.linkage.order import put_in_order
 from engine.linkage.tally import BREAKING, BROKEN
 from engine.materials import number_or_none
 from engine.pair_rows import forget, resting_columns
-from engine.pairing import link
 from engine.shapes import Shape
 from engine.snapshot import Snapshot
 from engine.tables import (

@@ -7,9 +7,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from engine.body import Body
+from engine.kernels.touches import number_of_tick
 from engine.store import Store
 from engine.tables import RESTING, SENSING, SLEEPING
-from engine.touches import number_of_tick
 from engine.vector import Vector
 
 BEGIN, STAY, END = "begin", "stay", "end"

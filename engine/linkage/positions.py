@@ -8,7 +8,7 @@ does not drift. The equations are solved by Newton's method with the matrix of t
 (`skyline`), beginning with the impulses of the part before.
 """
 
-from engine.books import book_jolt
+from engine.kernels.books import book_jolt
 from engine.linkage.geometry import aim, measure, place_nodes
 from engine.linkage.impulses import add_up, lend, note_impulses, solve_for, take
 from engine.linkage.modes import (

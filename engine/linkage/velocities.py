@@ -4,12 +4,12 @@ That is the case at the end of each part (`ease`), and when something strikes a 
 bodies joined to it answer at the same instant (`react`).
 """
 
-from engine.books import book_jolt
+from engine.kernels.books import book_jolt
+from engine.kernels.pose import advance
 from engine.linkage.geometry import aim, place_node, place_nodes
 from engine.linkage.impulses import add_up, lend, noted_impulse, solve_for, take
 from engine.linkage.modes import DRIVEN, ELASTIC, STRAINED, coordinate_row
 from engine.linkage.skyline import assemble, factorise, solve
-from engine.pose import advance
 from engine.tables import Tables
 
 MOST_CHANGES = 30

@@ -3,8 +3,8 @@
 import pytest
 
 from engine import Circle, Polygon, Wall, World
+from engine.kernels.pose import place
 from engine.manifolds.any_pair import gap_between
-from engine.pose import place
 from engine.tables import RESTING
 
 

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from engine import Circle, Polygon, Wall, World, neighbours
-from engine.broadphase import fit_boxes
+from engine.kernels.broadphase import fit_boxes
 
 places = st.floats(-50, 50) | st.sampled_from([0.0, 1e6, -1e15, 1e90])
 sizes = st.sampled_from([1e-3, 0.3, 1.0, 7.0, 200.0])

@@ -15,8 +15,8 @@ Impacts happen at the velocity of the parabola, so that all four bounce truly.
 
 import math
 
-from engine.books import note_starts
-from engine.fields import EVERY_BODY, immerse, slowed
+from engine.kernels.books import note_starts
+from engine.kernels.fields import EVERY_BODY, immerse, slowed
 from engine.settings import EXPLICIT_EULER, RK4, SEMI_IMPLICIT_EULER, Laws
 from engine.tables import Bodies, Fields, Pushes
 

@@ -6,11 +6,11 @@ what velocity the bodies have is left to the pass without springs at the end of 
 are rigid meanwhile: overlaps stay as they are.
 """
 
-from engine.books import note_part
-from engine.contacts import STEADY_SWEEPS, STILL, stiffen, sweep_until_calm, warm_start
-from engine.following import find_points, follow, has_drifted
+from engine.kernels.books import note_part
+from engine.kernels.contacts import STEADY_SWEEPS, STILL, stiffen, sweep_until_calm, warm_start
+from engine.kernels.following import find_points, follow, has_drifted
+from engine.kernels.touches import touch
 from engine.tables import Tables
-from engine.touches import touch
 
 SLOW = 2e-5
 """Bodies that move slower are calm, in reaches of each a second (1/s)."""

@@ -9,15 +9,15 @@ it comes second and never reverses the sliding, no impact gains energy.
 
 import math
 
-from engine.books import book_impact, book_more
+from engine.kernels.books import book_impact, book_more
+from engine.kernels.meeting import STILL
+from engine.kernels.pose import advance, place_pair
+from engine.kernels.rubbing import belt_speed
+from engine.kernels.sleeping import wake
+from engine.kernels.touches import note_impact
 from engine.linkage.velocities import react
 from engine.manifolds.any_pair import touching_points
-from engine.meeting import STILL
-from engine.pose import advance, place_pair
-from engine.rubbing import belt_speed
-from engine.sleeping import wake
 from engine.tables import FREE, RESTING, Bodies, Tables
-from engine.touches import note_impact
 
 BOUNCES = 2
 """So many flights on end of less than a substep are none, unless bodies are perfectly elastic: what

@@ -5,15 +5,15 @@ is over: what forces do within a substep explains its motion. Nothing else decid
 impact; there is no speed below which bodies do not bounce.
 """
 
-from engine.contacts import kick
-from engine.following import find_points, follow, has_drifted
-from engine.impacts import acceleration, stays, strike
-from engine.meeting import NOWHERE, STILL, approach_at, notice_passing, slides_over, wall_of
-from engine.sleeping import wake
-from engine.spring import frequency, softness, softness_left
-from engine.steady import let_go
+from engine.kernels.contacts import kick
+from engine.kernels.following import find_points, follow, has_drifted
+from engine.kernels.impacts import acceleration, stays, strike
+from engine.kernels.meeting import NOWHERE, STILL, approach_at, notice_passing, slides_over, wall_of
+from engine.kernels.sleeping import wake
+from engine.kernels.spring import frequency, softness, softness_left
+from engine.kernels.steady import let_go
+from engine.kernels.touches import collect_last_part, leave, touch
 from engine.tables import FREE, IMPACTS_AT_ONCE, RESTING, Tables
-from engine.touches import collect_last_part, leave, touch
 
 TOUCHING = 1e-5
 """Gap at which a still pair comes to rest, as a share of the smaller body's reach."""

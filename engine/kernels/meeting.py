@@ -7,9 +7,9 @@ negative; a bracketed secant (Illinois) then finds where it was zero, to roundin
 
 import math
 
+from engine.kernels.pose import place, place_pair, velocity_at
 from engine.manifolds.any_pair import gap_between, touching_points
 from engine.manifolds.link import is_link, nearest_neighbour
-from engine.pose import place, place_pair, velocity_at
 from engine.tables import FREE, NEVER, PASSING, RESTING, SENSING, Tables
 
 STILL = 1e-9

@@ -4,10 +4,10 @@ A list of pairs holds as long as no body can leave its box within the tick. It i
 and pairs in it that do not touch have no effect: results do not depend on how pairs were found.
 """
 
-from engine.pose import put
-from engine.resting import KEEPING
+from engine.kernels.pose import put
+from engine.kernels.resting import KEEPING
+from engine.kernels.travel import farthest, farthest_turn, turns_out
 from engine.tables import Bodies, Pieces, Tables
-from engine.travel import farthest, farthest_turn, turns_out
 
 SLACK = 0.2
 """Margin as a share of the reach."""

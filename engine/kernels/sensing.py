@@ -4,9 +4,9 @@ What counts is where bodies stand when a tick is over. What came and went within
 as well, unless an impact in the very same part of the tick bent its path.
 """
 
-from engine.meeting import gap_at
+from engine.kernels.meeting import gap_at
+from engine.kernels.touches import number_of_tick, touch
 from engine.tables import SENSING, Tables
-from engine.touches import number_of_tick, touch
 
 
 def sense_passing(t: Tables, pair_count: int, part: float) -> None:

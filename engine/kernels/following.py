@@ -7,9 +7,9 @@ error of an arm, both bodies have the same point: the arm of b is that of a less
 b.
 """
 
+from engine.kernels.pose import place_pair
+from engine.kernels.rubbing import belt_speed
 from engine.manifolds.any_pair import touching_points
-from engine.pose import place_pair
-from engine.rubbing import belt_speed
 from engine.tables import Tables
 
 DRIFT = 2e-3

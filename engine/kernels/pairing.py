@@ -2,11 +2,11 @@
 
 import math
 
-from engine.broadphase import fit_boxes
-from engine.neighbours import find_neighbours
-from engine.rubbing import mix
+from engine.kernels.broadphase import fit_boxes
+from engine.kernels.neighbours import find_neighbours
+from engine.kernels.rubbing import mix
+from engine.kernels.touches import part_with
 from engine.tables import NEVER, SENSING, Tables, clear_row, copy_row
-from engine.touches import part_with
 
 
 def find_pairs(t: Tables, dt: float) -> bool:

@@ -6,11 +6,11 @@ the set speed for the set time, one of them rests on something immovable, and ne
 push nor a Python function acts on them. It wakes as a whole, before anything can touch it.
 """
 
-from engine.accelerate import act_on
-from engine.books import book_halt
-from engine.fields import GIVEN
-from engine.meeting import gap_at
-from engine.pose import put
+from engine.kernels.accelerate import act_on
+from engine.kernels.books import book_halt
+from engine.kernels.fields import GIVEN
+from engine.kernels.meeting import gap_at
+from engine.kernels.pose import put
 from engine.settings import Laws
 from engine.tables import FREE, RESTING, SLEEPING, Tables
 

@@ -4,14 +4,14 @@ It returns when the ticks are over, or before when only Python can go on: to mak
 to read a full table of impacts, to ask rules that people wrote. Called again it goes on from there.
 """
 
-from engine.accelerate import accelerate
-from engine.books import book_forces, is_forced
-from engine.broadphase import holds
-from engine.pairing import find_pairs
+from engine.kernels.accelerate import accelerate
+from engine.kernels.books import book_forces, is_forced
+from engine.kernels.broadphase import holds
+from engine.kernels.pairing import find_pairs
+from engine.kernels.sleeping import fall_asleep, wake_in_time
+from engine.kernels.travel import CROWDED, DONE, ESCAPED, begin, end, runaway, travel
 from engine.settings import Laws
-from engine.sleeping import fall_asleep, wake_in_time
 from engine.tables import Tables, copy_row
-from engine.travel import CROWDED, DONE, ESCAPED, begin, end, runaway, travel
 
 WAITING, PAIRING, MOVING = 0, 1, 2
 """Phases: between two ticks; pairs are to be found; bodies move."""

@@ -5,14 +5,12 @@ early when two bodies come to rest on each other, or when a body leaves the box 
 of pairs holds.
 """
 
-from engine.books import book_lead, book_part
-from engine.contacts import correct_arms, relax
-from engine.impacts import strike
-from engine.linkage.tally import clear_sums, mean_forces, part_for_joints
-from engine.linkage.velocities import changed
-from engine.meeting import approach_at, find_meeting, find_meetings, measure_ways
-from engine.pose import advance_all
-from engine.resting import (
+from engine.kernels.books import book_lead, book_part
+from engine.kernels.contacts import correct_arms, relax
+from engine.kernels.impacts import strike
+from engine.kernels.meeting import approach_at, find_meeting, find_meetings, measure_ways
+from engine.kernels.pose import advance_all
+from engine.kernels.resting import (
     KEEPING,
     OVERLAP,
     count_holds,
@@ -21,11 +19,13 @@ from engine.resting import (
     place_middle,
     settle,
 )
-from engine.sensing import sense_at_end, sense_passing
+from engine.kernels.sensing import sense_at_end, sense_passing
+from engine.kernels.steady import balance, is_steady
+from engine.kernels.touches import collect, take_back, touch
+from engine.linkage.tally import clear_sums, mean_forces, part_for_joints
+from engine.linkage.velocities import changed
 from engine.settings import EXPLICIT_EULER, SEMI_IMPLICIT_EULER
-from engine.steady import balance, is_steady
 from engine.tables import FREE, IMPACTS_AT_ONCE, NEVER, RESTING, Bodies, Tables
-from engine.touches import collect, take_back, touch
 
 DONE, CROWDED, ESCAPED = 0, 1, 2
 """Why `travel` returns: the tick is over; the table of impacts is full; a body left its box."""

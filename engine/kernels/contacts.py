@@ -7,12 +7,12 @@ part before. Each is exchanged at one common point while the bodies stand in the
 of the tick (or, when relaxing, at its end), so that angular momentum is kept to rounding.
 """
 
-from engine.books import book_relax, book_turn, note_part
-from engine.following import follow, share_of_b
+from engine.kernels.books import book_relax, book_turn, note_part
+from engine.kernels.following import follow, share_of_b
+from engine.kernels.rubbing import outruns_forces, resist_rolling
 from engine.linkage.impulses import add_up
 from engine.linkage.positions import bind, brace, follow_joints, keep_impulses
 from engine.linkage.velocities import ease, prepare_ease
-from engine.rubbing import outruns_forces, resist_rolling
 from engine.tables import RESTING, Tables
 
 CALM = 0.02

@@ -1,0 +1,266 @@
+"""Tables of bodies: what they are, where they are, and what pushes them."""
+
+from typing import NamedTuple
+
+from engine.tables.columns import Floats, Ints
+
+
+class Bodies(NamedTuple):
+    """One row a body, in the order of their ids. World frame, SI units."""
+
+    id: Ints
+    x: Floats
+    """Centre of mass (m); 0 for a wall, whose corners are in world coordinates."""
+    y: Floats
+    angle: Floats
+    """Counter-clockwise (rad)."""
+    vx: Floats
+    """(m/s). Within a tick: the velocity of the pose at `clock`."""
+    vy: Floats
+    spin: Floats
+    """(rad/s)"""
+    mass: Floats
+    """(kg); infinite for a wall."""
+    inverse_mass: Floats
+    """(1/kg); 0 makes a body deaf to forces and impulses."""
+    inertia: Floats
+    """(kg m^2); infinite for walls and particles."""
+    inverse_inertia: Floats
+    """(1/(kg m^2)); 0 keeps a body from turning."""
+    restitution: Floats
+    friction: Floats
+    """Of what slides, and of what rests unless `static_friction` says otherwise."""
+    static_friction: Floats
+    """Of what rests; `settings.AS_FRICTION` if it is no other."""
+    rolling_resistance: Floats
+    """Lever arm by which the normal force resists rolling (m)."""
+    surface_speed: Floats
+    """Of the surface along the edge (m/s): counter-clockwise; of a wall: from start to end."""
+    material: Ints
+    """Number of its name, see `materials`; 0: none."""
+    sensor: Ints
+    """1 for a body that notices what overlaps it and acts on nothing."""
+    category: Ints
+    """Bits of the kinds of body that it is; see `filters`."""
+    mask: Ints
+    """Bits of the categories that it touches."""
+    group: Ints
+    """Bodies of the same group pass through each other; 0: none."""
+    gravity_scale: Floats
+    """By which the gravity of the world is multiplied for this body."""
+    force_x: Floats
+    """What acted during the last tick, contacts apart, as its mean over the tick (N)."""
+    force_y: Floats
+    torque: Floats
+    """(N m)"""
+    held: Ints
+    """Number of resting contacts at the end of the last tick, one more for joined bodies."""
+    joined: Ints
+    """1 for a body that moves and that a joint holds."""
+    calm: Ints
+    """For how many ticks the body has rested and been calm."""
+    last_x: Floats
+    """Pose and velocity when that was last looked at (m, m/s)."""
+    last_y: Floats
+    last_angle: Floats
+    """(rad)"""
+    last_vx: Floats
+    last_vy: Floats
+
+    asleep: Ints
+    """1 for a body that sleeps: nothing moves it until it is woken; see `sleeping`."""
+    quiet: Floats
+    """For how long it has rested and been slow (s)."""
+    restless: Ints
+    """1 for one that may not sleep with its island, or has just been woken."""
+    anchored: Ints
+    """1 for one whose island rests on something immovable."""
+
+    moves: Ints
+    """0 for a body that stays where it is: its corners are placed once, when it is added."""
+    first: Ints
+    """First row in `Corners`, and number of rows: the corners of all its pieces."""
+    corners: Ints
+    first_piece: Ints
+    """First row in `Pieces`, and number of rows."""
+    pieces: Ints
+    reach: Floats
+    """Radius of the bounding circle about the centre (m); of no use for walls."""
+
+    ax: Floats
+    """Mean acceleration of this tick by pushes, gravity and drag (m/s^2)."""
+    ay: Floats
+    aspin: Floats
+    """(rad/s^2)"""
+    lead_x: Floats
+    """Velocity of the position minus the reported velocity, by the integrator (m/s)."""
+    lead_y: Floats
+    lead_spin: Floats
+    """(rad/s)"""
+    clock: Floats
+    """Time inside the present part of the tick for which pose and velocity hold (s)."""
+    path_x: Floats
+    """Acceleration along the path in the present part of the tick, contacts included (m/s^2)."""
+    path_y: Floats
+    path_spin: Floats
+    """(rad/s^2)"""
+    way: Floats
+    """No point of the body moves further in the present part, unless something hits it (m)."""
+    kick_x: Floats
+    """Velocity at the end of the present part, as the resting contacts make it (m/s)."""
+    kick_y: Floats
+    kick_spin: Floats
+    """(rad/s)"""
+    start_x: Floats
+    """Pose when the tick began (m, rad); see `books` for these and the following."""
+    start_y: Floats
+    start_angle: Floats
+    push_x: Floats
+    """Mean force and torque of the pushes in this tick (N, N m)."""
+    push_y: Floats
+    push_torque: Floats
+    field_x: Floats
+    """Mean force of the laws of force in this tick (N)."""
+    field_y: Floats
+    from_x: Floats
+    """Pose when the present part of the tick began (m, rad)."""
+    from_y: Floats
+    from_angle: Floats
+    mean_x: Floats
+    """Mean velocity in the present part, or of before and after an exchange of impulses (m/s)."""
+    mean_y: Floats
+    mean_spin: Floats
+    """(rad/s)"""
+    middle_x: Floats
+    """Pose in the middle of the present part, at the end of it once contacts relax (m)."""
+    middle_y: Floats
+    middle_angle: Floats
+    """(rad)"""
+    shift_x: Floats
+    """Mean position over the present part, less that for which contacts were solved (m)."""
+    shift_y: Floats
+    here_x: Floats
+    """Position for which the body was last placed (m)."""
+    here_y: Floats
+    low_x: Floats
+    """Box in which a body that moves may move while the list of pairs holds (m)."""
+    low_y: Floats
+    high_x: Floats
+    high_y: Floats
+    low_angle: Floats
+    """Angles between which a body of several pieces may turn meanwhile (rad)."""
+    high_angle: Floats
+    first_link: Ints
+    """First row in `Links`, and number of rows: the pairs of this body."""
+    links: Ints
+
+
+class Pieces(NamedTuple):
+    """One row a convex piece of a body, in the order of bodies; most bodies have one.
+
+    A piece is the hull of its corners, rounded by a radius.
+    """
+
+    body: Ints
+    """Row of the body."""
+    first: Ints
+    """First row in `Corners`."""
+    corners: Ints
+    """Number of rows: 1 makes a disc, 2 a line (a wall, or a capsule), 3 and more a polygon."""
+    radius: Floats
+    """By which the hull of the corners is rounded (m)."""
+    inner: Floats
+    """Radius of a circle that fits inside (m); 0 for walls."""
+    x: Floats
+    """Centre of a bounding circle, in the body's frame (m)."""
+    y: Floats
+    reach: Floats
+    """Radius of that circle (m)."""
+    swing: Floats
+    """Greatest distance of its points from the body's centre (m); 0 for a disc about it."""
+    one_sided: Ints
+    """1 for a wall that stops only what comes from its positive side."""
+    before: Ints
+    """Which piece of the body joins the first corner of this link of a chain, from 1; 0: none."""
+    after: Ints
+    """The same for the second corner."""
+    low_x: Floats
+    """Box in which the piece may be while the list of pairs holds (m)."""
+    low_y: Floats
+    high_x: Floats
+    high_y: Floats
+
+
+class Corners(NamedTuple):
+    """Corners of all pieces, those of one piece in sequence, counter-clockwise."""
+
+    x: Floats
+    """In the body's frame (m)."""
+    y: Floats
+    normal_x: Floats
+    """Unit outward normal of the side from this corner to the next, in the body's frame."""
+    normal_y: Floats
+    world_x: Floats
+    """In the world, for the pose for which the body was last placed (m)."""
+    world_y: Floats
+    world_normal_x: Floats
+    world_normal_y: Floats
+
+
+class Pushes(NamedTuple):
+    """One row a force or torque that acts."""
+
+    id: Ints
+    row: Ints
+    """Of the body."""
+    x: Floats
+    """Force (N, world)."""
+    y: Floats
+    torque: Floats
+    """(N m)"""
+    at_x: Floats
+    """Point of attack in the body's frame (m)."""
+    at_y: Floats
+    left: Floats
+    """Time it still lasts (s); infinite until it is stopped."""
+
+
+class Fields(NamedTuple):
+    """One row a law of force and body it acts on, sorted by body; first those that act on all."""
+
+    law: Ints
+    """Id of the law."""
+    row: Ints
+    """Of the body, or `fields.EVERY_BODY`."""
+    kind: Ints
+    """`fields.POINT_GRAVITY`, `fields.SPRING_TO`, or `fields.GIVEN` by a Python function."""
+    x: Floats
+    """Where the centre of the field is (m, world); if given: force at the start of the tick (N)."""
+    y: Floats
+    strength: Floats
+    """mu (m^3/s^2) or stiffness (N/m)."""
+    damping: Floats
+    """Of a spring (N s/m)."""
+    softening: Floats
+    """Of gravity (m)."""
+    torque: Floats
+    """If given: at the start of the tick (N m)."""
+    later_x: Floats
+    """If given: force and torque at the end of the tick."""
+    later_y: Floats
+    later_torque: Floats
+    used: Ints
+    """First row: how many rows are in use."""
+
+
+class Materials(NamedTuple):
+    """One row two materials that have coefficients of their own; -1 where they have none."""
+
+    a: Ints
+    """Numbers of their names, a <= b."""
+    b: Ints
+    restitution: Floats
+    friction: Floats
+    static_friction: Floats
+    rolling_resistance: Floats
+    """(m)"""

@@ -1,0 +1,220 @@
+"""Tables of what may touch and what does."""
+
+from typing import NamedTuple
+
+from engine.tables.columns import Floats, Ints
+
+FREE, RESTING, PASSING, SENSING, SLEEPING = range(5)
+"""States of a pair: they move on their own; they rest on each other; one comes through a one-sided
+wall from behind; one of them is a sensor; they rested on each other when they fell asleep."""
+
+
+NEVER = 1e300
+"""A time that does not come (s)."""
+
+
+IMPACTS_AT_ONCE = 4096
+"""Rows of the table of impacts; after so many in one tick the kernel pauses to have it emptied."""
+
+
+class Pairs(NamedTuple):
+    """One row two pieces of two bodies whose boxes overlap, sorted by (piece_a, piece_b)."""
+
+    a: Ints
+    """Rows of `Bodies`, a < b."""
+    b: Ints
+    piece_a: Ints
+    """Rows of `Pieces`."""
+    piece_b: Ints
+    restitution: Floats
+    friction: Floats
+    """Of what slides."""
+    static_friction: Floats
+    """Of what rests, at least as large."""
+    rolling_resistance: Floats
+    """Lever arm by which the normal force resists rolling (m)."""
+    belt_speed: Floats
+    """Of the surface of b past that of a along the tangent, if the bodies stood still (m/s)."""
+    rolling_torque: Floats
+    """With which the resting contact resisted rolling, on b, in its last part (N m)."""
+    size: Floats
+    """Reach of the smaller body (m), the scale of all tolerances."""
+    state: Ints
+    """`FREE`, `RESTING`, `PASSING`, `SENSING` or `SLEEPING`."""
+    normal_x: Floats
+    """Unit normal from a to b of the resting contact; its tangent is this turned left."""
+    normal_y: Floats
+    points: Ints
+    """Number of rows in `Contacts`, 0 to 2, from row 2 * pair on."""
+    booked_rolling: Floats
+    """What of the rolling resistance has been booked (N m s)."""
+    acting: Ints
+    """Number of those that act in the present part, whatever impacts make of the pair meanwhile."""
+    carried: Floats
+    """Change of normal velocity that the resting contact brought about in its last part (m/s)."""
+    part: Floats
+    """Length of that part (s)."""
+    steady: Ints
+    """1 if that part was a steady one."""
+    seen_x: Floats
+    """From the centre of a to that of b, when the contact was last measured (m)."""
+    seen_y: Floats
+    seen_angle_a: Floats
+    """Angles of both bodies then (rad)."""
+    seen_angle_b: Floats
+    drift: Floats
+    """How far the two moved over each other since their points were found (m)."""
+    apart: Floats
+    """The surfaces of a free pair are at least so far apart when a part begins (m)."""
+    touched: Ints
+    """Number of the tick in which the two last touched, or began to rest; see `touches`."""
+    touched_before: Ints
+    """Number of the tick in which they had touched before."""
+    given_x: Floats
+    """Impulse that b was given in the tick `touched`, but for what `Contacts` holds (N s)."""
+    given_y: Floats
+    hit_x: Floats
+    """Where their last impact was (m, world)."""
+    hit_y: Floats
+    bounces: Ints
+    """How many flights on end were shorter than a substep."""
+    struck: Floats
+    """Time of the last impact since the present tick began (s), mostly negative."""
+    meeting: Floats
+    """When the two meet in the present part of the tick (s), or `NEVER`."""
+    speed: Floats
+    """With which they then approach each other (m/s)."""
+    queued: Ints
+    """1 if the pair stands in `queue`."""
+    queue: Ints
+    """Pairs that meet in the present part, in no order (a list of its own, not by row)."""
+    resting: Ints
+    """Pairs that rest in the present part, in order (a list of its own, not by row)."""
+
+
+class Contacts(NamedTuple):
+    """Points of resting contacts, two rows a pair."""
+
+    feature: Ints
+    """Which corners made it, to find it again in the next part."""
+    gap: Floats
+    """Distance of the surfaces (m), negative if they overlap."""
+    normal_arm_a: Floats
+    """Lever arm of a unit impulse along the normal about the centre of a, r x n (m)."""
+    tangent_arm_a: Floats
+    """The same along the tangent, r x t = r . n (m)."""
+    normal_arm_b: Floats
+    tangent_arm_b: Floats
+    normal_mass: Floats
+    """Impulse that changes the normal velocity by 1 m/s (kg)."""
+    tangent_mass: Floats
+    target: Floats
+    """Speed with which the bodies are to approach, less if negative, in the present pass (m/s)."""
+    hardness: Floats
+    """Impulse per speed that is missing, in the present pass (kg)."""
+    softness: Floats
+    """Share of the impulse that the spring drops in the present pass."""
+    normal_impulse: Floats
+    """Summed over the part (N s)."""
+    tangent_impulse: Floats
+    normal_load: Floats
+    """What bears the forces in a steady part; the rest stops what still moves (N)."""
+    tangent_load: Floats
+    booked_normal: Floats
+    """What of the impulses has been booked (N s)."""
+    booked_tangent: Floats
+
+
+class Touch(NamedTuple):
+    """Where two bodies touch, as the geometry last found it: two rows, the normal in the first."""
+
+    x: Floats
+    """Point halfway between the surfaces (m, world)."""
+    y: Floats
+    gap: Floats
+    """(m)"""
+    normal_x: Floats
+    """Unit normal from a to b."""
+    normal_y: Floats
+    feature: Ints
+
+
+class Impacts(NamedTuple):
+    """One row an impact, in order of time."""
+
+    a: Ints
+    """Rows of `Bodies`."""
+    b: Ints
+    x: Floats
+    y: Floats
+    normal_x: Floats
+    normal_y: Floats
+    impulse_x: Floats
+    """Given to b (N s)."""
+    impulse_y: Floats
+    speed: Floats
+    restitution: Floats
+    time: Floats
+    """Since the tick began (s); once it is over, since the world began."""
+    written: Ints
+    """First row: how many impacts stand here; second row: how many this tick has had."""
+
+
+class Links(NamedTuple):
+    """The pairs of each body, those of one body in sequence."""
+
+    pair: Ints
+
+
+class Ignored(NamedTuple):
+    """One row two bodies that pass through each other, and why; sorted."""
+
+    a: Ints
+    """Ids of bodies, a < b."""
+    b: Ints
+    joint: Ints
+    """Id of the joint that wants it so; 0: they were told to by hand."""
+
+
+class Parted(NamedTuple):
+    """One row a pair that was dropped from the list while, or just after, it touched."""
+
+    a: Ints
+    """Ids of bodies."""
+    b: Ints
+    touched: Ints
+    """As in `Pairs`."""
+    touched_before: Ints
+    given_x: Floats
+    given_y: Floats
+    hit_x: Floats
+    hit_y: Floats
+    normal_x: Floats
+    normal_y: Floats
+
+
+class Found(NamedTuple):
+    """Pairs of pieces whose boxes overlap, as they are found; as many rows as `Pairs` has."""
+
+    a: Ints
+    """Rows of `Pieces`, a < b."""
+    b: Ints
+    before_a: Ints
+    """The same, half sorted."""
+    before_b: Ints
+    known: Ints
+    """Which row of `Pairs` this pair had before, or -1."""
+
+
+class Grid(NamedTuple):
+    """Squares over the world in which the broad phase looks for neighbours; see `neighbours`."""
+
+    head: Ints
+    """The piece on top of a square, by the square's hash, or `neighbours.NOBODY`."""
+    following: Ints
+    """By pieces: the one below it in squares of the same hash, or `neighbours.NOBODY`."""
+    column: Ints
+    """By pieces: the square in which its box has its centre."""
+    row: Ints
+    large: Ints
+    """Pieces that are larger than a square (a list of its own, not by row)."""

@@ -1,0 +1,198 @@
+"""All tables of a world."""
+
+from typing import NamedTuple, get_type_hints
+
+from engine.tables.bodies import Bodies, Corners, Fields, Materials, Pieces, Pushes
+from engine.tables.columns import Floats, Ints, allocate, views
+from engine.tables.linkage import Arms, Braces, Couplings, Equations, Joints, Nodes, Profile
+from engine.tables.pairs import (
+    IMPACTS_AT_ONCE,
+    Contacts,
+    Found,
+    Grid,
+    Ignored,
+    Impacts,
+    Links,
+    Pairs,
+    Parted,
+    Touch,
+)
+
+
+class Counts(NamedTuple):
+    """One row: how many rows are in use of the tables of the same names.
+
+    These tables are what a world remembers; all others are written anew by each step.
+    """
+
+    bodies: Ints
+    pieces: Ints
+    corners: Ints
+    pushes: Ints
+    pairs: Ints
+    contacts: Ints
+    """Twice the number of pairs."""
+    ignored: Ints
+    parted: Ints
+    joints: Ints
+    materials: Ints
+
+
+class State(NamedTuple):
+    """One row: what a world remembers besides."""
+
+    tick: Ints
+    """Number of steps taken."""
+    base: Floats
+    """Time (s) when the present length of a tick came in use."""
+    ticks: Ints
+    """Number of steps since: the time is base + ticks * dt, so that sixty ticks are 1 s."""
+    dt: Floats
+    """Length of the last tick (s)."""
+    next_body: Ints
+    """Id that the next body gets."""
+    next_push: Ints
+    next_law: Ints
+    next_joint: Ints
+    stale: Ints
+    """1 if the list of pairs is to be made anew, whatever the boxes say."""
+    loose: Ints
+    """1 if the joints are to be put in order anew."""
+
+
+class Books(NamedTuple):
+    """One row: what each cause has given since the world began; see `ledger` for what they are."""
+
+    gravity_x: Floats
+    """Impulses (N s)."""
+    gravity_y: Floats
+    push_x: Floats
+    push_y: Floats
+    field_x: Floats
+    field_y: Floats
+    drag_x: Floats
+    drag_y: Floats
+    wall_x: Floats
+    wall_y: Floats
+    joint_x: Floats
+    joint_y: Floats
+    hand_x: Floats
+    hand_y: Floats
+    integrator_x: Floats
+    integrator_y: Floats
+    gravity_work: Floats
+    """Energy that was given (J)."""
+    push_work: Floats
+    field_work: Floats
+    wall_work: Floats
+    joint_work: Floats
+    hand_work: Floats
+    integrator_work: Floats
+    restitution_heat: Floats
+    """Energy that was taken (J)."""
+    friction_heat: Floats
+    contact_heat: Floats
+    drag_heat: Floats
+    forced: Ints
+    """1 if any force but those of contacts and joints may act in the present tick."""
+
+
+class Progress(NamedTuple):
+    """One row: how far the kernels are within a tick, and why they paused."""
+
+    phase: Ints
+    """`tick.WAITING` between two ticks, `tick.PAIRING` or `tick.MOVING`."""
+    begun: Ints
+    """1 once bodies have begun to move in this tick."""
+    now: Floats
+    """Since the tick began (s)."""
+    told: Ints
+    """Rows of `Impacts` whose time is that of the world."""
+    lost: Ints
+    """Row of the body that left the range of numbers."""
+    room: Ints
+    """Number of pairs for which all tables have room."""
+    wanted: Ints
+    """Number of pairs for which they should."""
+    sensing: Ints
+    """Number of pairs with a sensor."""
+    own_rules: Ints
+    """1 if coefficients of pairs are made by Python."""
+    recording: Ints
+    """Which columns of `Tracks` to write, one bit each; 0: none."""
+    moment: Ints
+    """Number of ticks that stand in `Tracks`."""
+
+
+class Tracks(NamedTuple):
+    """One row a body and tick: what `run` recorded, tick after tick; see `Bodies`."""
+
+    x: Floats
+    y: Floats
+    angle: Floats
+    vx: Floats
+    vy: Floats
+    spin: Floats
+    force_x: Floats
+    force_y: Floats
+    torque: Floats
+
+
+class Tables(NamedTuple):
+    """All that varies in a world, and what the kernels of a step write down on the way."""
+
+    bodies: Bodies
+    pieces: Pieces
+    corners: Corners
+    pushes: Pushes
+    pairs: Pairs
+    contacts: Contacts
+    links: Links
+    touch: Touch
+    impacts: Impacts
+    joints: Joints
+    braces: Braces
+    nodes: Nodes
+    equations: Equations
+    arms: Arms
+    couplings: Couplings
+    profile: Profile
+    counts: Counts
+    state: State
+    books: Books
+    fields: Fields
+    ignored: Ignored
+    parted: Parted
+    materials: Materials
+    found: Found
+    grid: Grid
+    progress: Progress
+    tracks: Tracks
+
+
+ROWS = {
+    "bodies": 16,
+    "pieces": 16,
+    "corners": 64,
+    "pushes": 8,
+    "pairs": 64,
+    "contacts": 128,
+    "links": 128,
+    "found": 64,
+    "parted": 64,
+    "grid": 64,
+    "touch": 2,
+    "impacts": IMPACTS_AT_ONCE,
+    "joints": 4,
+    "braces": 8,
+    "nodes": 2,
+}
+"""Rows that the tables of a new world have room for; those that are not named have one."""
+
+
+def new_tables() -> Tables:
+    """Make the tables of an empty world."""
+    kinds = get_type_hints(Tables)
+    return Tables(
+        **{name: views(allocate(kinds[name], ROWS.get(name, 1))) for name in Tables._fields}
+    )
