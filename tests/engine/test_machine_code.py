@@ -129,7 +129,7 @@ def test_edited_sources_need_new_machine_code(tmp_path: Path) -> None:
     shutil.copytree(ROOT / "engine", tmp_path / "engine", ignore=shutil.ignore_patterns("*.nb*"))
     ask = "from engine import jit\nprint(jit.key(), jit.is_ready())"
     before = python(ask, tmp_path).stdout
-    spring = tmp_path / "engine" / "spring.py"
+    spring = tmp_path / "engine" / "kernels" / "spring.py"
     spring.write_text(spring.read_text().replace("10.0", "11.0"))
     after = python(ask, tmp_path).stdout
     assert before != after

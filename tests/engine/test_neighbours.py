@@ -6,7 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine import Circle, Polygon, Wall, World, neighbours
+from engine import Circle, Polygon, Wall, World
+from engine.kernels import neighbours
 from engine.kernels.broadphase import fit_boxes
 
 places = st.floats(-50, 50) | st.sampled_from([0.0, 1e6, -1e15, 1e90])
