@@ -116,6 +116,13 @@ def vectors(value: Any, name: str, at_most: int) -> list[Vector]:
     return [vector(v, f"{name}[{i}]") for i, v in enumerate(sequence(value, name, at_most))]
 
 
+def text(value: Any, name: str) -> str:
+    """Return `value`, words; refuse all else."""
+    if not isinstance(value, str):
+        raise TypeError(f"{name} must be text, not {value!r}")
+    return value
+
+
 def truth(value: Any, name: str) -> bool:
     """Return `value`, True or False; refuse all else."""
     if not isinstance(value, bool):

@@ -178,10 +178,10 @@ class World:
         given |= {"gravity_scale": gravity_scale, "sensor": sensor}
         given |= {"category": category, "mask": mask, "group": group}
         values = initial_values(shape, given)
+        name = None if name is None else validate.text(name, "name")
         self.store.material(material)
         id = self.store.new_id("body")
-        name_of_shape = type(shape).__name__.lower()
-        body = Body(self, id, shape, f"{name_of_shape} {id}" if name is None else str(name))
+        body = Body(self, id, shape, name or f"{type(shape).__name__.lower()} {id}")
         body.on_move, body.on_collision = on_move, on_collision
         self.store.add_body(body, shape, values)
         self.tables.state.stale[0] = 1
@@ -190,6 +190,7 @@ class World:
     @noted
     def remove(self, body: Body) -> None:
         """Take a body, with all that pushes it, out of the world; its handle is then refused."""
+        self._own(body)
         self.store.remove_body(body)
         self.displaced()
 
@@ -233,11 +234,14 @@ class World:
         self._two_bodies(a, b)
         return self.store.ignores(a, b)
 
+    def _own(self, body: Body) -> None:
+        if not isinstance(body, Body):
+            raise TypeError(f"it takes a body of this world, not {body!r}")
+        self.row(body)
+
     def _two_bodies(self, a: Body, b: Body) -> None:
         for body in (a, b):
-            if not isinstance(body, Body):
-                raise TypeError(f"it takes two bodies, not {body!r}")
-            self.row(body)
+            self._own(body)
         if a is b:
             raise ValueError(f"it takes two bodies, not {a.name} twice")
 
@@ -266,7 +270,7 @@ class World:
         """
         for body in (a, b):
             if body is not None:
-                self.row(body)
+                self._own(body)
         values = joint_columns(a, b, joint, break_force, break_torque)
         handle = Joint(self, self.store.new_id("joint"), a, b)
         handle.on_break = on_break

@@ -9,7 +9,7 @@ def warm() -> None:
     """Compile the physics into machine code and keep it for all later runs.
 
     Worlds that are large or run for long do so by themselves, in the background; this does it now.
-    It takes about half a minute, and no time if it was done before. The results of a run are the
+    It takes about a minute, and no time if it was done before. The results of a run are the
     same with machine code and without.
 
     \b
@@ -34,6 +34,6 @@ def warm() -> None:
         )
         raise typer.Exit(2)
     if not jit.is_kept():
-        streams.say("compiling the physics, which takes about half a minute ...")
+        streams.say("compiling the physics, which takes about a minute ...")
     jit.compiled()
     streams.result(f"machine code is ready in {folder} (numba {installed('numba')})")

@@ -140,7 +140,7 @@ def test_ignoring_takes_two_bodies_of_the_world() -> None:
     a, _ = meeting(world)
     with pytest.raises(ValueError, match="it takes two bodies, not circle 1 twice"):
         world.ignore(a, a)
-    with pytest.raises(TypeError, match="it takes two bodies, not 3"):
+    with pytest.raises(TypeError, match="it takes a body of this world, not 3"):
         world.ignore(a, 3)  # type: ignore[arg-type]
     with pytest.raises(Removed):
         world.heed(a, World().add(Circle(1)))

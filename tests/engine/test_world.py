@@ -15,6 +15,7 @@ from engine import (
     Force,
     LinearDrag,
     Particle,
+    Pin,
     Polygon,
     QuadraticDrag,
     Torque,
@@ -404,3 +405,19 @@ def test_the_first_example_of_the_design() -> None:
 def test_masses_beyond_what_can_be_computed_are_refused(shape: Circle, mass: float) -> None:
     with pytest.raises(ValueError, match="beyond what can be computed"):
         World().add(shape, mass=mass)
+
+
+@pytest.mark.parametrize("stranger", [5, None, "ball"])
+def test_what_is_no_body_is_refused(stranger: Any) -> None:
+    world = World()
+    ball = world.add(Circle(1))
+    for call in (lambda: world.remove(stranger), lambda: world.ignore(ball, stranger)):
+        with pytest.raises(TypeError, match="it takes a body of this world, not"):
+            call()
+    with pytest.raises(TypeError, match="it takes a body of this world, not 5"):
+        world.join(ball, 5, Pin((0, 0)))  # type: ignore[arg-type]
+
+
+def test_a_name_is_text() -> None:
+    with pytest.raises(TypeError, match="name must be text, not 5"):
+        World().add(Circle(1), name=5)  # type: ignore[arg-type]
