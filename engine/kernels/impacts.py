@@ -26,8 +26,9 @@ drums on its neighbours in a heap rests on them."""
 AGAIN = 6.0
 """Bodies that met within so many substeps have just met."""
 
-YIELDS = 1e-6
-"""Share of the speed of free bodies that joined ones change by at least, if they yield at all."""
+YIELDS = 0.02
+"""Share of the speed of free bodies that joined ones change by at least, if they yield at all: the
+impulse that is lacking is found by division by it, and bodies that are jammed hardly move."""
 
 
 def strike(
