@@ -20,12 +20,8 @@ STRONGEST = 1e300
 
 
 @dataclass(frozen=True)
-class Distance:
-    """A massless rod: keeps the distance of two points.
-
-    Anchors are points of the world (m) at the moment of joining, None the centre of a body; from
-    then on they move with their bodies. Length (m), None: as they are.
-    """
+class _Line:
+    """What rods and ropes have in common: two points and a length."""
 
     anchor_a: Any = None
     anchor_b: Any = None
@@ -38,17 +34,17 @@ class Distance:
 
 
 @dataclass(frozen=True)
-class Rope:
+class Distance(_Line):
+    """A massless rod: keeps the distance of two points.
+
+    Anchors are points of the world (m) at the moment of joining, None the centre of a body; from
+    then on they move with their bodies. Length (m), None: as they are.
+    """
+
+
+@dataclass(frozen=True)
+class Rope(_Line):
     """A rope without mass: two points are never further apart than its length (m)."""
-
-    anchor_a: Any = None
-    anchor_b: Any = None
-    length: float | None = None
-
-    def __post_init__(self) -> None:
-        """Refuse what is no point or no length."""
-        _check_anchors(self)
-        _check(self, "length", validate.positive)
 
 
 @dataclass(frozen=True)

@@ -16,8 +16,8 @@ Impacts happen at the velocity of the parabola, so that all four bounce truly.
 import math
 
 from engine.kernels.books import note_starts
-from engine.kernels.fields import EVERY_BODY, immerse, slowed
-from engine.settings import EXPLICIT_EULER, RK4, SEMI_IMPLICIT_EULER, Laws
+from engine.kernels.fields import EVERY_BODY, immerse, lead_of_euler
+from engine.settings import Laws
 from engine.tables import Bodies, Fields, Pushes
 
 
@@ -48,16 +48,14 @@ def accelerate(
         everyone += 1
     first = everyone
     dragged = laws.linear_drag > 0.0 or laws.quadratic_drag > 0.0
-    lead = lead_of_euler(laws, dt)
+    lead = lead_of_euler(laws.integrator, dt)
     for row in range(count):
         last = first
         while last < fielded and fields.row[last] == row:
             last += 1
         if bodies.inverse_mass[row] > 0.0:
-            if everyone > 0 or last > first:
+            if dragged or everyone > 0 or last > first:
                 immerse(bodies, row, fields, everyone, first, last, laws, dt)
-            elif dragged:
-                resist(bodies, row, laws, dt)
             else:
                 scale = bodies.gravity_scale[row]
                 ax[row] += scale * laws.gravity_x
@@ -90,13 +88,6 @@ def act_on(bodies: Bodies, row: int, fields: Fields, laws: Laws, dt: float) -> N
     immerse(bodies, row, fields, everyone, first, last, laws, dt)
     bodies.force_x[row] = bodies.mass[row] * bodies.ax[row]
     bodies.force_y[row] = bodies.mass[row] * bodies.ay[row]
-
-
-def lead_of_euler(laws: Laws, dt: float) -> float:
-    """Lead per acceleration (s) of the two Euler methods; 0 for the others."""
-    if laws.integrator == SEMI_IMPLICIT_EULER:
-        return dt / 2.0
-    return -dt / 2.0 if laws.integrator == EXPLICIT_EULER else 0.0
 
 
 def push(bodies: Bodies, count: int, pushes: Pushes, pushing: int, dt: float) -> None:
@@ -135,39 +126,3 @@ def push(bodies: Bodies, count: int, pushes: Pushes, pushing: int, dt: float) ->
         bodies.lead_x[row] += ax * late
         bodies.lead_y[row] += ay * late
         bodies.lead_spin[row] += aspin * late
-
-
-def resist(bodies: Bodies, row: int, laws: Laws, dt: float) -> None:
-    """Add gravity and drag by the world's integrator, and its lead."""
-    scale = bodies.gravity_scale[row]
-    ax = bodies.ax[row] + scale * laws.gravity_x
-    ay = bodies.ay[row] + scale * laws.gravity_y
-    vx = bodies.vx[row]
-    vy = bodies.vy[row]
-    linear = laws.linear_drag * bodies.inverse_mass[row]
-    quadratic = laws.quadratic_drag * bodies.inverse_mass[row]
-    half = dt / 2.0
-    k1x, k1y = slowed(ax, ay, vx, vy, linear, quadratic)
-    if laws.integrator == SEMI_IMPLICIT_EULER or laws.integrator == EXPLICIT_EULER:
-        lead = half if laws.integrator == SEMI_IMPLICIT_EULER else -half
-        bodies.ax[row] = k1x
-        bodies.ay[row] = k1y
-        bodies.lead_x[row] = k1x * lead
-        bodies.lead_y[row] = k1y * lead
-        bodies.lead_spin[row] = bodies.aspin[row] * lead
-    elif laws.integrator == RK4:
-        k2x, k2y = slowed(ax, ay, vx + k1x * half, vy + k1y * half, linear, quadratic)
-        k3x, k3y = slowed(ax, ay, vx + k2x * half, vy + k2y * half, linear, quadratic)
-        k4x, k4y = slowed(ax, ay, vx + k3x * dt, vy + k3y * dt, linear, quadratic)
-        mean_x = (k1x + 2.0 * (k2x + k3x) + k4x) / 6.0
-        mean_y = (k1y + 2.0 * (k2y + k3y) + k4y) / 6.0
-        bodies.ax[row] = mean_x
-        bodies.ay[row] = mean_y
-        bodies.lead_x[row] += (k1x + k2x + k3x) * dt / 6.0 - mean_x * half
-        bodies.lead_y[row] += (k1y + k2y + k3y) * dt / 6.0 - mean_y * half
-    else:
-        k2x, k2y = slowed(ax, ay, vx + k1x * dt, vy + k1y * dt, linear, quadratic)
-        bodies.ax[row] = (k1x + k2x) / 2.0
-        bodies.ay[row] = (k1y + k2y) / 2.0
-        bodies.lead_x[row] += (k1x - k2x) / 2.0 * half
-        bodies.lead_y[row] += (k1y - k2y) / 2.0 * half

@@ -53,8 +53,8 @@ def immerse(
     turn(bodies, row, fields, first, last, laws.integrator, dt)
     felt_x, felt_y = feel(fields, everyone, first, last, x, y, vx, vy, mass, 0.0)
     k1x, k1y = slowed(ax + felt_x, ay + felt_y, vx, vy, linear, quadratic)
-    if laws.integrator == SEMI_IMPLICIT_EULER or laws.integrator == EXPLICIT_EULER:
-        lead = half if laws.integrator == SEMI_IMPLICIT_EULER else -half
+    lead = lead_of_euler(laws.integrator, dt)
+    if lead != 0.0:
         bodies.ax[row] = k1x
         bodies.ay[row] = k1y
         bodies.lead_x[row] = k1x * lead
@@ -104,6 +104,13 @@ def immerse(
         bodies.lead_y[row] += (k1y - k2y) / 2.0 * half
     bodies.field_x[row] = felt_x * bodies.mass[row]
     bodies.field_y[row] = felt_y * bodies.mass[row]
+
+
+def lead_of_euler(integrator: int, dt: float) -> float:
+    """Lead per acceleration (s) of the two Euler methods; 0 for the others."""
+    if integrator == SEMI_IMPLICIT_EULER:
+        return dt / 2.0
+    return -dt / 2.0 if integrator == EXPLICIT_EULER else 0.0
 
 
 def feel(

@@ -7,6 +7,7 @@ of pairs holds.
 
 from engine.kernels.books import book_lead, book_part
 from engine.kernels.contacts import correct_arms, relax
+from engine.kernels.fields import lead_of_euler
 from engine.kernels.impacts import strike
 from engine.kernels.meeting import approach_at, find_meeting, find_meetings, measure_ways
 from engine.kernels.pose import advance_all
@@ -24,7 +25,6 @@ from engine.kernels.steady import balance, is_steady
 from engine.kernels.touches import collect, take_back, touch
 from engine.linkage.tally import clear_sums, mean_forces, part_for_joints
 from engine.linkage.velocities import changed
-from engine.settings import EXPLICIT_EULER, SEMI_IMPLICIT_EULER
 from engine.tables import FREE, IMPACTS_AT_ONCE, NEVER, RESTING, Bodies, Tables
 
 DONE, CROWDED, ESCAPED = 0, 1, 2
@@ -70,11 +70,7 @@ def end(t: Tables, count: int, pair_count: int, integrator: int, dt: float) -> N
     mean_forces(t, dt)
     if t.books.forced[0] == 0:
         return
-    lead = 0.0
-    if integrator == SEMI_IMPLICIT_EULER:
-        lead = dt / 2.0
-    elif integrator == EXPLICIT_EULER:
-        lead = -dt / 2.0
+    lead = lead_of_euler(integrator, dt)
     for row in range(count):
         if bodies.inverse_mass[row] > 0.0:
             if lead != 0.0:

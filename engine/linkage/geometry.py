@@ -71,26 +71,23 @@ def aim(t: Tables) -> None:
             aim_string(t, brace)
 
 
+def turned(t: Tables, node: int, x: float, y: float) -> tuple[float, float]:
+    """A vector in the frame of a node, in the directions of the world."""
+    cos = t.nodes.cos[node]
+    sin = t.nodes.sin[node]
+    return cos * x - sin * y, sin * x + cos * y
+
+
 def arm_of_a(t: Tables, brace: int) -> tuple[float, float]:
     """From the centre of a to its anchor (m, world)."""
     joint = t.braces.joint[brace]
-    node = t.braces.node_a[brace]
-    cos = t.nodes.cos[node]
-    sin = t.nodes.sin[node]
-    x = t.joints.a_x[joint]
-    y = t.joints.a_y[joint]
-    return cos * x - sin * y, sin * x + cos * y
+    return turned(t, t.braces.node_a[brace], t.joints.a_x[joint], t.joints.a_y[joint])
 
 
 def arm_of_b(t: Tables, brace: int) -> tuple[float, float]:
     """From the centre of b to its anchor (m, world)."""
     joint = t.braces.joint[brace]
-    node = t.braces.node_b[brace]
-    cos = t.nodes.cos[node]
-    sin = t.nodes.sin[node]
-    x = t.joints.b_x[joint]
-    y = t.joints.b_y[joint]
-    return cos * x - sin * y, sin * x + cos * y
+    return turned(t, t.braces.node_b[brace], t.joints.b_x[joint], t.joints.b_y[joint])
 
 
 def set_pair(
@@ -152,12 +149,7 @@ def aim_point(t: Tables, brace: int) -> None:
 def axis_of(t: Tables, brace: int) -> tuple[float, float]:
     """The axis of a SLIDE (world)."""
     joint = t.braces.joint[brace]
-    node = t.braces.node_a[brace]
-    cos = t.nodes.cos[node]
-    sin = t.nodes.sin[node]
-    x = t.joints.axis_x[joint]
-    y = t.joints.axis_y[joint]
-    return cos * x - sin * y, sin * x + cos * y
+    return turned(t, t.braces.node_a[brace], t.joints.axis_x[joint], t.joints.axis_y[joint])
 
 
 def measure_slide(t: Tables, brace: int) -> None:
