@@ -161,7 +161,11 @@ def draw_caption(surface: "Surface", caption: str, words: Words, lesson_id: str)
             break
     bottom = min(max(top + needed, explanation.bottom + EDGE), room.bottom + EDGE)
     box = Rect(room.x - EDGE, top, room.width + 2 * EDGE, bottom - top)
-    surface.rect(box, theme.DIALOG, radius=theme.RADIUS, outline=theme.TEAL, outline_width=1)
-    at = Point(box.x + PADDING, box.y + max(PADDING, (box.height - needed) / 2 + PADDING))
-    with surface.clip(box):
-        surface.text(caption, at, style, theme.TEXT, width=width)
+
+    def paint() -> None:
+        surface.rect(box, theme.DIALOG, radius=theme.RADIUS, outline=theme.TEAL, outline_width=1)
+        at = Point(box.x + PADDING, box.y + max(PADDING, (box.height - needed) / 2 + PADDING))
+        with surface.clip(box):
+            surface.text(caption, at, style, theme.TEXT, width=width)
+
+    surface.still((caption, lesson_id, words.file), box, paint)

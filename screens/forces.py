@@ -269,7 +269,7 @@ class Forces:
             mass = page.chosen(body.mass, words("unit.kg"))
             if len(mass) > FITS:
                 mass = page.chosen(body.mass, "")
-            canvas.body(body, theme.TEAL, opacity(body.mass, *MASS), mass, conceals=True)
+            canvas.body(body, theme.TEAL, opacity(body.mass, *MASS), mass, over=(canvas.rect,))
             reach = body.vx * PER_SPEED * view.scale
             canvas.arrow((front, body.y - CART / 4), (reach, 0.0), arrows.VELOCITY)
         if cart.force > 0.0 and cart.finish_time is None:

@@ -160,7 +160,7 @@ class Inertia:
         canvas.labels.block(bar_room(canvas.rect))
         canvas.trail([at for at in self.trail if math.dist(at, self.body.position) > RADIUS])
         shade = opacity(self.body.mass, LIGHT, HEAVY)
-        canvas.body(self.body, theme.TEAL, shade, conceals=True)
+        canvas.body(self.body, theme.TEAL, shade, over=(canvas.rect,))
         self._draw_vectors(canvas)
         for place, (_, shown, color) in zip(_readouts(area), self._numbers(), strict=True):
             page.value(surface, place, shown, color)

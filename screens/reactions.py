@@ -202,15 +202,9 @@ class Reactions:
         self, canvas: Canvas, ball: Body, letter: str, color: theme.Color, under: Sequence[Rect]
     ) -> None:
         """A ball, and nothing shows through it of what lies in the rectangles `under` (dp)."""
-        x, y = canvas.view.to_screen(ball.position)
-        radius = impulses.radius_of(ball) * canvas.view.scale
-        conceals = any(
-            left - radius < x < left + width + radius and top - radius < y < top + height + radius
-            for left, top, width, height in under
-        )
         first = self.chosen["particle.mass"]
         shade = opacity(ball.mass, LIGHTEST * first, HEAVIEST * first)
-        canvas.body(ball, color, shade, letter, conceals)
+        canvas.body(ball, color, shade, letter, under)
 
     def _draw_refusal(self, canvas: Canvas, name: str, at: Point, since: float) -> None:
         """A cross where a ball found no room, and the reason."""

@@ -87,12 +87,12 @@ class Canvas:
         color: Color,
         opacity: float = 1,
         letter: str = "",
-        conceals: bool = False,
+        over: Sequence[Rect] = (),
     ) -> None:
         """A body, pale by `opacity` but with a full outline, and a letter on it.
 
-        A circle that can spin has a mark that turns with it. A pale body that `conceals` does not
-        let show through what is drawn already.
+        A circle that can spin has a mark that turns with it. A pale body lets nothing show through
+        of what is drawn already in the rectangles `over` which it lies (dp).
         """
         shape = body.shape
         if isinstance(shape, Wall | Chain):
@@ -101,8 +101,8 @@ class Canvas:
             return
         center = self.view.to_screen(body.position)
         ink = letter_color(color, opacity)
-        ground = theme.CANVAS if conceals else None
         if not isinstance(shape, Circle | Particle):
+            ground = theme.CANVAS if over else None
             parts = [
                 [self.view.to_screen(body.to_world(point)) for point in piece.outline]
                 for piece in shape.pieces
@@ -114,7 +114,13 @@ class Canvas:
             return
         radius = shape.radius * self.view.scale
         x, y = center
-        with self._within(Point(x - radius, y - radius), Point(x + radius, y + radius)):
+        left, top, right, bottom = x - radius, y - radius, x + radius, y + radius
+        conceals = any(
+            at_x < right and at_x + width > left and at_y < bottom and at_y + height > top
+            for at_x, at_y, width, height in over
+        )
+        ground = theme.CANVAS if conceals else None
+        with self._within((left, top), (right, bottom)):
             self.surface.circle(center, radius, color, opacity, outline=color, ground=ground)
             if isinstance(shape, Circle):
                 self._spin_mark(center, radius, body.angle, color)
@@ -196,13 +202,14 @@ class Canvas:
             self.pill(words, place, color, alpha)
         return place
 
-    def _within(self, *points: Point) -> AbstractContextManager[None]:
+    def _within(self, *points: tuple[float, float]) -> AbstractContextManager[None]:
         """Clip to the canvas, if what is drawn between these points may leave it."""
-        rect = self.rect
+        left, top, width, height = self.rect
+        right, bottom = left + width - 1, top + height - 1
         for x, y in points:
-            if not (rect.x + 1 < x < rect.right - 1 and rect.y + 1 < y < rect.bottom - 1):
-                return self.surface.clip(rect)
-        return nullcontext()
+            if not (left + 1 < x < right and top + 1 < y < bottom):
+                return self.surface.clip(self.rect)
+        return NOTHING
 
     def _spin_mark(self, center: Point, radius: float, angle: float, color: Color) -> None:
         x, y = math.cos(angle) * radius, -math.sin(angle) * radius
@@ -242,6 +249,7 @@ def bar_room(rect: Rect) -> Rect:
     return Rect(rect.x + 8, rect.bottom - 28, 0.22 * rect.width + 4, 24)
 
 
+NOTHING: AbstractContextManager[None] = nullcontext()
 GAP_TO_BORDER = 4.0
 """Labels keep this far from the border of the canvas (dp)."""
 

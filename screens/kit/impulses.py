@@ -157,17 +157,18 @@ def _draw_arrows(canvas: Canvas, hit: Collision, faded: float) -> list[Rect]:
         (hit.b, hit.a, (x, y), arrows.FORCE),
         (hit.a, hit.b, (-x, -y), arrows.REACTION),
     )
+    edges = [canvas.edge(body, reach) for body, _, reach, _ in ends]
     room = [
-        0.0 if body.is_wall else fitting(canvas, canvas.edge(body, reach), reach)
-        for body, _, reach, _ in ends
+        0.0 if body.is_wall else fitting(canvas, edge, reach)
+        for edge, (body, _, reach, _) in zip(edges, ends, strict=True)
     ]
     # Both are shortened alike, so that they are seen to be equal.
     part = min((free for free in room if free >= SHORTEST), default=1.0)
     lain = []
-    for (body, other, (dx, dy), kind), free in zip(ends, room, strict=True):
+    for (body, other, (dx, dy), kind), edge, free in zip(ends, edges, room, strict=True):
         reach, ball = (dx * part, dy * part), other if body.is_wall else body
         if free >= SHORTEST:
-            start = Vector(*canvas.edge(body, reach))
+            start = Vector(*edge)
         else:
             # It ends at the wall, beside the ball that gives or takes it.
             start = beside(canvas, ball.position, reach, radius_of(ball))

@@ -10,11 +10,12 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from screens.kit import theme
+from screens.kit import sheets, theme
 from screens.kit.cache import Cache
 from screens.kit.discs import Coat, Discs
 from screens.kit.raster import Box, Coverage, Look, Mask, Shape, bounding_box, cover
 from screens.kit.sdl import pygame
+from screens.kit.sheets import Page, Pixels, Sheet, Sheets
 from screens.kit.theme import Color
 
 LARGEST = 8192
@@ -23,12 +24,12 @@ SPRITES = 8 << 20
 """Bytes that drawn shapes and words may take."""
 MASKS = 2 << 20
 """Bytes that coverage masks may take."""
+PATCHES = 4 << 20
+"""Bytes that pieces of pictures may take which lie on a page."""
 OVERHEAD = 500
 """Bytes that holding a value takes beyond its pixels."""
-LAYOUT: Final = "RGBX"
 SPRITE: Final = "RGBA"
-"""Order of bytes of pictures and sprites, as pygame is told. What it takes for red is our blue:
-only so it paints on memory that is not its own."""
+"""Order of bytes of sprites, as pygame is told; see `sheets.LAYOUT`."""
 STRIP = 64
 """Height of the sprite that darkens a picture, strip by strip (px)."""
 
@@ -52,19 +53,23 @@ class Picture:
         self._sprites: Cache[tuple[pygame.Surface, int, int]]
         self._sprites = like._sprites if like else Cache(SPRITES)
         self._discs: Discs = like._discs if like else Discs()
+        self._patches: Cache[Pixels] = Cache(PATCHES)
         self._clip = Box(0, 0, width, height)
         """What may be painted."""
-        self._begin(np.zeros((height, width), np.uint32))
+        self._sheets = Sheets(height, width)
+        self._begin(Sheet(np.zeros((height, width), np.uint32)))
 
-    def pixels(self) -> NDArray[np.uint32]:
-        """The picture as it is now, shape (height, width), each 0x00RRGGBB, C-contiguous.
+    def pixels(self) -> Pixels:
+        """The picture as it is now, read-only.
 
-        Whoever gets the array owns it: what is painted later is painted on another one.
+        As long as anybody holds the array, nothing is painted on it any more.
         """
-        if not CLEAR:
-            np.bitwise_and(self._pixels, np.uint32(0xFFFFFF), out=self._pixels)
-        self._is_given = True
-        return self._pixels
+        if self._lent is None:
+            if not CLEAR:
+                pixels = self._sheet.pixels
+                np.bitwise_and(pixels, np.uint32(0xFFFFFF), out=pixels)
+            self._lent = self._sheets.lend(self._sheet)
+        return self._lent
 
     @contextmanager
     def clip(self, box: Box) -> Iterator[None]:
@@ -78,27 +83,26 @@ class Picture:
 
     def _set_clip(self, box: Box) -> None:
         self._clip = box
-        self._surface.set_clip((box.left, box.top, *box.extent))
+        self._sheet.surface.set_clip((box.left, box.top, *box.extent))
 
-    def _begin(self, pixels: NDArray[np.uint32]) -> None:
-        """Go on painting on these pixels."""
-        self._pixels = pixels
-        self._surface = pygame.image.frombuffer(pixels.data, (self.width, self.height), LAYOUT)
-        self._is_given = False
+    def _begin(self, sheet: Sheet) -> None:
+        """Go on painting on this sheet."""
+        self._sheet = sheet
+        self._lent: Pixels | None = None
+        self._page: Page | None = None
         self._set_clip(self._clip)
 
-    def _ready(self) -> pygame.Surface:
-        """What to paint on: never what somebody else owns by now."""
-        if self._is_given:
-            self._begin(self._pixels.copy())
-        return self._surface
+    def _ready(self) -> Sheet:
+        """What to paint on: never what somebody else may hold by now."""
+        if self._lent is not None:
+            self._begin(Sheet(self._sheet.pixels.copy()))
+        return self._sheet
 
     def fill(self, color: Color, box: Box | None = None) -> None:
         """Paint a rectangle, or all that may be painted."""
         inner = box.meet(self._clip) if box is not None else self._clip
         if inner.area:
-            red, green, blue = color
-            self._ready().fill((blue, green, red), (inner.left, inner.top, *inner.extent))
+            self._ready().fill(color, (inner.left, inner.top, *inner.extent))
 
     def darken(self, alpha: float) -> None:
         """Lay black of this opacity over everything."""
@@ -124,7 +128,7 @@ class Picture:
             return
         if box.area > self.width * self.height:
             coverage = cover(shape, look, seen.moved(-column, -row))
-            self._ready().blit(_sprite(coverage, color, _level(alpha)), (seen.left, seen.top))
+            self._ready().stamp(_sprite(coverage, color, _level(alpha)), seen.left, seen.top)
             return
         mask = Mask(cover(shape, look, box), box.left, box.top)
         self.stamp(key, color, alpha, column, row, lambda: mask)
@@ -132,10 +136,11 @@ class Picture:
     def disc(self, x: float, y: float, radius: float, coat: Coat) -> None:
         """Paint a disc given in pixels, whose radius is at most `discs.LARGEST`."""
         columns, rows = self._discs.axis(x, radius), self._discs.axis(y, radius)
-        seen = Box(columns.first, rows.first, columns.end, rows.end).meet(self._clip)
-        if seen.area:
+        left, top, right, bottom = self._clip
+        is_seen = columns.first < right and columns.end > left
+        if is_seen and rows.first < bottom and rows.end > top:
             sprite = self._discs.sprite(columns, rows, radius, coat)
-            self._ready().blit(_picture(sprite), (columns.first, rows.first))
+            self._ready().stamp(_picture(sprite), columns.first, rows.first)
 
     def stamp(
         self,
@@ -157,7 +162,7 @@ class Picture:
         held = self._sprites.find((key, color)) if alpha >= 1 else None
         if held is not None:
             sprite, left, top = held
-            self._ready().blit(sprite, (column + left, row + top))
+            self._ready().stamp(sprite, column + left, row + top)
             return True
         mask = self._masks.find(key)
         if mask is None:
@@ -174,16 +179,53 @@ class Picture:
         if alpha >= 1:
             size = 4 * coverage.size + OVERHEAD
             self._sprites.keep((key, color), (sprite, left, top), size)
-        self._ready().blit(sprite, (column + left, row + top))
+        self._ready().stamp(sprite, column + left, row + top)
 
-    def show(self, layer: "Picture") -> None:
-        """Show a finished layer of the same size."""
+    def page(self) -> Page:
+        """The picture as it is now, to be shown by others of the same size."""
+        if self._page is None:
+            self._page = Page(self.pixels())
+        return self._page
+
+    def show(self, page: Page) -> None:
+        """Show a page, all of it that may be painted."""
         if self._clip.extent == (self.width, self.height):
-            self._begin(layer._pixels.copy())
+            self._begin(self._next(page))
         elif self._clip.area:
             left, top, right, bottom = self._clip
-            self._ready()
-            self._pixels[top:bottom, left:right] = layer._pixels[top:bottom, left:right]
+            sheet = self._ready()
+            sheet.pixels[top:bottom, left:right] = page.pixels[top:bottom, left:right]
+            sheet.painted.append(pygame.Rect(left, top, *self._clip.extent))
+
+    def patch(self, key: Hashable, box: Box, paint: Callable[[], None]) -> None:
+        """Paint inside `box` what looks the same whenever it lies on the same page.
+
+        `paint` is called once for each page and `key`, and whenever something else lies below it.
+        """
+        box = box.meet(Box(0, 0, self.width, self.height))
+        sheet, (left, top, right, bottom) = self._ready(), box
+        if self._clip.meet(box) != box or not sheet.shows_page((left, top, *box.extent)):
+            with self.clip(box):
+                paint()
+            return
+        place = slice(top, bottom), slice(left, right)
+        patch = self._patches.find((sheet.token, key))
+        if patch is not None:
+            sheet.pixels[place] = patch
+            sheet.painted.append(pygame.Rect(left, top, *box.extent))
+            return
+        with self.clip(box):
+            paint()
+        patch = sheet.pixels[place].copy()
+        self._patches.keep((sheet.token, key), patch, patch.nbytes + OVERHEAD)
+
+    def _next(self, page: Page) -> Sheet:
+        """A sheet that looks like a page: the one in hand, unless somebody may hold it."""
+        if self._lent is not None:
+            self._lent = None  # which gives the sheet back, if nobody else holds it
+            return self._sheets.laid(page)
+        self._sheet.lay(page)
+        return self._sheet
 
 
 def _level(alpha: float) -> int:
@@ -213,7 +255,7 @@ def _is_clear() -> bool:
     """Whether blits keep the unused byte of pixels at zero; not all processors need do so."""
     opacities = np.arange(256, dtype=np.uint32)[None, :] << np.uint32(24)
     pixels = np.zeros_like(opacities)
-    picture = pygame.image.frombuffer(pixels.data, (256, 1), LAYOUT)
+    picture = pygame.image.frombuffer(pixels.data, (256, 1), sheets.LAYOUT)
     picture.blit(_picture(opacities), (0, 0))
     return not pixels.any()
 

@@ -60,7 +60,7 @@ class Surface:
     def pixels(self) -> NDArray[np.uint32]:
         """The picture as it is now, shape (height, width), each 0x00RRGGBB, C-contiguous.
 
-        Whoever gets the array owns it: what is drawn later is drawn on another one.
+        It is read-only. As long as anybody holds the array, nothing is drawn on it any more.
         """
         return self._picture.pixels()
 
@@ -259,6 +259,16 @@ class Surface:
         with self._picture.clip(Box(left, top, right, bottom)):
             yield
 
+    def still(self, key: Hashable, rect: Rect, paint: Callable[[], None]) -> None:
+        """What `paint` paints inside `rect`; called once per `key` while the same page lies below.
+
+        `key` must tell apart all that it depends on.
+        """
+        scale = self.scale
+        left, top = math.floor(rect.x * scale), math.floor(rect.y * scale)
+        right, bottom = math.ceil(rect.right * scale), math.ceil(rect.bottom * scale)
+        self._picture.patch(key, Box(left, top, right, bottom), paint)
+
     def static(self, key: Hashable, paint: Callable[["Surface"], None]) -> None:
         """Show the whole picture that `paint` paints, which is called once per `key`.
 
@@ -269,7 +279,7 @@ class Surface:
             layer = Surface(self.width, self.height, _like=self)
             paint(layer)
             self._layers.keep(key, layer, 1)
-        self._picture.show(layer._picture)
+        self._picture.show(layer._picture.page())
 
     # -- below: pixels ------------------------------------------------------------------------
 
