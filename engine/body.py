@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 from engine import filters, kinds, materials, validate
 from engine.collision import Collision
-from engine.forces import Force, Push, Torque
-from engine.inputs import noted
+from engine.forces import Force, Push, Torque, components
+from engine.inputs import noted, noted_only
 from engine.settings import AS_FRICTION
 from engine.shapes import Barrier, Chain, Particle, Shape, Wall, outlines
 from engine.vector import Vector
@@ -388,7 +388,7 @@ class Body:
         x, y = world.x - at.x, world.y - at.y
         return Vector(cos * x + sin * y, cos * y - sin * x)
 
-    @noted
+    @noted_only
     def exert(self, effort: Force | Torque, duration: float | None = None, at: Any = None) -> Push:
         """Push or turn the body from the next tick on; return the push.
 
@@ -400,15 +400,12 @@ class Body:
                 on. None: the centre of mass.
         """
         self._dynamic("force")
-        if not isinstance(effort, Force | Torque):
-            raise TypeError(f"only a Force or a Torque can be exerted, not {effort!r}")
+        x, y, torque = components(effort)
         lasts = math.inf if duration is None else validate.positive(duration, "duration")
-        if isinstance(effort, Torque):
-            if at is not None:
-                raise ValueError("a torque has no point of attack")
-            return self._world.push(self, 0.0, 0.0, effort.value, Vector(0.0, 0.0), lasts)
+        if at is not None and isinstance(effort, Torque):
+            raise ValueError("a torque has no point of attack")
         point = Vector(0.0, 0.0) if at is None else self.to_local(at)
-        return self._world.push(self, effort.x, effort.y, 0.0, point, lasts)
+        return self._world.push(self, x, y, torque, point, lasts)
 
     @noted
     def apply_impulse(self, impulse: Any, at: Any = None) -> None:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from engine import validate
-from engine.inputs import noted
+from engine.inputs import noted_only
 
 if TYPE_CHECKING:
     from engine.world import World
@@ -60,6 +60,19 @@ Drag = LinearDrag | QuadraticDrag
 """Either law of drag."""
 
 
+def components(effort: Force | Torque) -> tuple[float, float, float]:
+    """Force (x and y, N) and torque (N m) of what is exerted.
+
+    Raises:
+        TypeError: for what is neither a force nor a torque.
+    """
+    if isinstance(effort, Force):
+        return effort.x, effort.y, 0.0
+    if isinstance(effort, Torque):
+        return 0.0, 0.0, effort.value
+    raise TypeError(f"only a Force or a Torque can be exerted, not {effort!r}")
+
+
 class Push:
     """A force or torque that acts on a body, until its time is over or it is stopped."""
 
@@ -79,7 +92,17 @@ class Push:
         """Whether it will act in the next tick."""
         return self._world.is_acting(self.id)
 
-    @noted
+    @noted_only
+    def change(self, effort: Force | Torque) -> None:
+        """Exert another force or torque from the next tick on: there, and as long as it lasts.
+
+        Raises:
+            ValueError: if the push is over.
+        """
+        x, y, torque = components(effort)
+        self._world.change_push(self.id, x, y, torque)
+
+    @noted_only
     def stop(self) -> None:
         """End it now; to stop it twice, or after its time, does nothing."""
         self._world.stop(self.id)

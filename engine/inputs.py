@@ -23,11 +23,20 @@ def noted(method: Method) -> Method:
 
     What raises has changed nothing and is not noted.
     """
+    return _as_input(method, moves=True)
 
+
+def noted_only(method: Method) -> Method:
+    """The same for what changes no motion by itself: there is nothing to be booked."""
+    return _as_input(method, moves=False)
+
+
+def _as_input(method: Method, moves: bool) -> Method:
     @wraps(method)
     def call(target: Any, /, *args: Any, **given: Any) -> Any:
         world = getattr(target, "_world", target)
-        world.store.open_books()
+        if moves:
+            world.store.open_books()
         recorder: Recorder | None = world.recorder
         if recorder is None or recorder.busy:
             return method(target, *args, **given)

@@ -14,7 +14,7 @@ from engine.enrol import initial_values
 from engine.filters import ALL
 from engine.force_laws import ActingLaw, Law, checked_bodies, checked_law, energy_in_fields
 from engine.forces import Drag, Push
-from engine.inputs import noted
+from engine.inputs import noted, noted_only
 from engine.joints import Joint, OnBreak, Spec, joint_columns
 from engine.ledger import Ledger
 from engine.materials import pair_row
@@ -556,7 +556,7 @@ class World:
         """
         return self.store.row(body)
 
-    @noted
+    @noted_only
     def push(self, body: Body, x: float, y: float, torque: float, at: Vector, lasts: float) -> Push:
         """Let a force (N) or torque (N m) act; see `Body.exert`."""
         id = self.store.new_id("push")
@@ -568,7 +568,16 @@ class World:
         """Whether the push with this id still acts."""
         return self._row_of_push(push) is not None
 
-    @noted
+    @noted_only
+    def change_push(self, push: int, x: float, y: float, torque: float) -> None:
+        """Let the push with this id exert another force (N) or torque (N m)."""
+        row, pushes = self._row_of_push(push), self.tables.pushes
+        if row is None:
+            raise ValueError(f"push {push} is over: what it exerts cannot change")
+        pushes.x[row], pushes.y[row], pushes.torque[row] = x, y, torque
+        self.store.wake(pushes.row[row])
+
+    @noted_only
     def stop(self, push: int) -> None:
         """End the push with this id, if it still acts."""
         row = self._row_of_push(push)

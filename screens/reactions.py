@@ -305,12 +305,16 @@ class Reactions:
         return Vector(part[0] * self.room.right, part[1] * self.room.top)
 
     def _push_all(self) -> None:
-        """Exert the force of the tilt on every ball, instead of the one before."""
-        for push in reversed(self.pushes):
-            push.stop()
+        """Exert the force of the tilt on every ball, and on no ball if the device lies flat."""
         force = Force(*self.force)
-        tilted = force != Force(0.0, 0.0)
-        self.pushes = [ball.exert(force) for ball in self.balls] if tilted else []
+        if force == Force(0.0, 0.0):
+            for push in reversed(self.pushes):
+                push.stop()
+            self.pushes = []
+            return
+        for push in self.pushes:
+            push.change(force)
+        self.pushes += [ball.exert(force) for ball in self.balls[len(self.pushes) :]]
 
     def _clear(self) -> None:
         """Take all balls away; the count begins anew, the tilt and the next mass stay."""

@@ -57,6 +57,9 @@ class Picture:
         self._clip = Box(0, 0, width, height)
         """What may be painted."""
         self._sheets = Sheets(height, width)
+        self._lent: Pixels | None = None
+        """What was handed out of the sheet in hand."""
+        self._page: Page | None = None
         self._begin(Sheet(np.zeros((height, width), np.uint32)))
 
     def pixels(self) -> Pixels:
@@ -88,8 +91,7 @@ class Picture:
     def _begin(self, sheet: Sheet) -> None:
         """Go on painting on this sheet."""
         self._sheet = sheet
-        self._lent: Pixels | None = None
-        self._page: Page | None = None
+        self._lent = self._page = None
         self._set_clip(self._clip)
 
     def _ready(self) -> Sheet:

@@ -24,8 +24,6 @@ IDLE = 32 << 20
 PIECES = 400
 """A sheet that was painted on in more places than this is laid with the whole page."""
 
-NOWHERE = pygame.Rect(0, 0, 0, 0)
-
 
 class Page:
     """What many frames begin with; it never changes."""
@@ -69,7 +67,7 @@ class Sheet:
         """Make it look like a page."""
         pixels, below = self.pixels, page.pixels
         if self.token is page.token and len(self.painted) <= PIECES:
-            last = NOWHERE
+            last = pygame.Rect(0, 0, 0, 0)
             for place in self.painted:
                 if not last.contains(place):
                     left, top, width, height = last = place

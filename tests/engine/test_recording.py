@@ -67,6 +67,8 @@ def play(world: World, ticks: int = 90) -> Recording:
             if tick % 17 == 3:
                 pushes.append(body.exert(Force(2, 3), at=body.position))
                 body.exert(Torque(0.3), duration=0.1)
+            elif tick % 17 == 6:
+                pushes[-1].change(Force(-1, 4))
             elif tick % 17 == 9:
                 pushes.pop().stop()
             elif tick == 21:

@@ -260,6 +260,12 @@ def test_bad_pushes() -> None:
         body.apply_impulse((NAN, 0))
     with pytest.raises(TypeError, match="needs a shape, such as a Circle"):
         World().add("circle")  # type: ignore[arg-type]
+    push = body.exert(Force(1, 0))
+    with pytest.raises(TypeError, match=r"only a Force or a Torque .*, not 3"):
+        push.change(3)  # type: ignore[arg-type]
+    push.stop()
+    with pytest.raises(ValueError, match="is over"):
+        push.change(Force(2, 0))
 
 
 def test_a_world_that_diverges_names_tick_and_body() -> None:

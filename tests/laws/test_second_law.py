@@ -72,6 +72,22 @@ def test_velocity_verlet_is_exact_over_the_partial_last_tick(dt: float, duration
     assert body.x == pytest.approx(2.0 * duration * (world.time - duration / 2), rel=1e-11)
 
 
+def test_a_push_that_changes_delivers_the_sum_of_what_it_was() -> None:
+    """p = sum of F dt, L = sum of r x F dt + M dt; half a tick is left for the last force."""
+    world, dt = World(), 1 / 60
+    body = world.add(Circle(0.5), mass=2.0, inertia=0.5)
+    push = body.exert(Force(1.0, 0.0), duration=2.5 * dt, at=(0.0, 0.5))
+    world.step(dt)
+    push.change(Torque(3.0))
+    world.step(dt)
+    push.change(Force(-4.0, 2.0))
+    assert body.momentum == pytest.approx((dt, 0.0), rel=1e-12)
+    assert 0.5 * body.spin == pytest.approx((3.0 - 0.5) * dt, rel=1e-12)
+    world.step(dt)
+    assert body.momentum == pytest.approx(((1.0 - 4.0 / 2) * dt, 2.0 / 2 * dt), rel=1e-12)
+    assert not push.active
+
+
 @pytest.mark.parametrize("ticks", [1, 2, 3])
 def test_a_force_of_a_few_ticks_acts_for_just_these(ticks: int) -> None:
     """The thesis sums timed forces before it tests their expiry: 1/60 s then acts for two ticks."""
