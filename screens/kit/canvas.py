@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 SPIN_MARK = 0.5
 """Where the mark of a spinning circle starts, in radii from its centre."""
+PILL = theme.PILL, 0.92
+"""Colour and opacity of the ground of labels."""
 PILL_PADDING = Size(10, 4)
 BORDER = 1.0
 SCALE_BAR = Point(12, 10)
@@ -179,10 +181,7 @@ class Canvas:
 
     def pill(self, words: str, rect: Rect, color: Color, alpha: float = 1) -> None:
         """Words on a dark rounded ground that fills `rect`."""
-        self.surface.rect(rect, theme.PILL, 0.92 * alpha, radius=rect.height / 2)
-        self.surface.text(
-            words, rect.center, theme.VECTOR, color, alpha, align="center", valign="middle"
-        )
+        self.surface.badge(words, rect, theme.VECTOR, color, PILL, alpha)
 
     def label(
         self,

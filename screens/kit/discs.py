@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from screens.kit.cache import Cache
+from screens.kit.layers import stacked
 from screens.kit.theme import Color
 
 LARGEST = 200.0
@@ -112,7 +113,7 @@ def _table(radius: float, coat: Coat) -> NDArray[np.uint32]:
         layers.append((coat.color, _covered(distance + inset, coat.alpha)))
     if coat.rim is not None:
         layers.append((coat.rim, _covered(np.abs(distance + line) - line, coat.rim_alpha)))
-    table = _stacked(layers, count)
+    table = stacked(layers) if layers else np.zeros(count, np.uint32)
     table[-1] = 0
     return table
 
@@ -120,23 +121,3 @@ def _table(radius: float, coat: Coat) -> NDArray[np.uint32]:
 def _covered(distance: NDArray[np.float64], alpha: float) -> NDArray[np.float64]:
     """How much of a pixel is covered (0..1) whose middle is so far outside an edge (px)."""
     return np.minimum(np.maximum(0.5 - distance, 0.0), 1.0) * min(max(alpha, 0.0), 1.0)
-
-
-def _stacked(layers: list[tuple[Color, NDArray[np.float64]]], count: int) -> NDArray[np.uint32]:
-    """What layers show together, the lowest first: each 0xAARRGGBB."""
-    opacity = np.zeros(count)
-    channels = np.zeros((3, count))
-    for color, cover in layers:
-        opacity += cover - opacity * cover
-        for channel, value in zip(channels, color, strict=True):
-            channel += (value - channel) * cover
-    stacked = _byte(255.0 * opacity) << np.uint32(24)
-    full = np.maximum(opacity, 1e-9)
-    for channel, shift in zip(channels, (16, 8, 0), strict=True):
-        stacked |= _byte(channel / full) << np.uint32(shift)
-    return stacked
-
-
-def _byte(values: NDArray[np.float64]) -> NDArray[np.uint32]:
-    """Values of 0..255, rounded."""
-    return (values + 0.5).astype(np.uint32)

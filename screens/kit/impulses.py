@@ -84,14 +84,17 @@ def find_place(
     hits may cross them.
     """
     size = Size(CHARACTER * len(words) + PILL.width, PILL.height)
-    for ahead, others in ((AHEAD, marks), (0.0, marks), (0.0, ())):
+    ways = [_way(view, ball) for ball in balls]
+    for looks_ahead, others in ((True, marks), (False, marks), (False, ())):
         labels = Labels(view.rect.inset(GAP_TO_BORDER))
         labels.block(bar_room(view.rect))
         for wall in walls:
             ends = view.to_screen(wall.start), view.to_screen(wall.end)
             labels.block_line(*ends, theme.WALL_WIDTH)
-        for ball in balls:
-            _block_ball(labels, view, ball, ahead)
+        for here, soon, radius in ways:
+            labels.block_circle(here, radius)
+            if looks_ahead:
+                labels.block_line(here, soon, 1.6 * radius)
         for mark in marks:
             if mark.place:
                 labels.block(mark.place)
@@ -105,13 +108,11 @@ def find_place(
     return None
 
 
-def _block_ball(labels: Labels, view: View, ball: Body, ahead: float) -> None:
-    """Keep words off a ball and its way within a time (s)."""
+def _way(view: View, ball: Body) -> tuple[Point, Point, float]:
+    """Where a ball is, where it will be `AHEAD`, and its radius (dp)."""
     (x, y), (vx, vy) = ball.position, ball.velocity
-    here, radius = view.to_screen((x, y)), radius_of(ball) * view.scale
-    labels.block_circle(here, radius)
-    if ahead:
-        labels.block_line(here, view.to_screen((x + vx * ahead, y + vy * ahead)), 1.6 * radius)
+    soon = view.to_screen((x + vx * AHEAD, y + vy * AHEAD))
+    return view.to_screen((x, y)), soon, radius_of(ball) * view.scale
 
 
 def _block_arrows(labels: Labels, view: View, hit: Collision) -> None:

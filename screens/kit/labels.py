@@ -22,6 +22,8 @@ AWAY: NDArray[Any] = np.array(
 """Ring (dp) and direction (x, y) of all places that are tried, in order; shape (n, 3)."""
 MARGIN = 2.0
 """What is left free around a label."""
+PIECE, MOST_PIECES = 8.0, 64
+"""Length of a piece of a slanted line, and how many there are at most."""
 
 
 class Labels:
@@ -52,28 +54,12 @@ class Labels:
 
         Circles and lines are turned into rectangles here: often no label asks for them.
         """
-        for (x, y), radius in self._circles:
-            near, far = 0.5 * radius, 0.9 * radius
-            self._taken.extend((x - near, y - radius, x + near, y + radius))
-            self._taken.extend((x - far, y - far, x + far, y + far))
-            self._taken.extend((x - radius, y - near, x + radius, y + near))
-        for line in self._lines:
-            self._take_line(*line)
+        if self._circles:
+            self._taken.frombytes(_of_circles(self._circles).tobytes())
+        if self._lines:
+            self._taken.frombytes(_of_lines(self._lines).tobytes())
         self._circles, self._lines = [], []
         return np.frombuffer(self._taken).reshape(-1, 4)
-
-    def _take_line(self, a: Point, b: Point, width: float) -> None:
-        dx, dy = b.x - a.x, b.y - a.y
-        longest = max(abs(dx), abs(dy))
-        if not longest < math.inf:
-            return
-        slanted = min(abs(dx), abs(dy)) > width
-        pieces = min(max(1, math.ceil(longest / 8)), 64) if slanted else 1
-        half = width / 2
-        for i in range(pieces):
-            x0, x1 = sorted((a.x + dx * i / pieces, a.x + dx * (i + 1) / pieces))
-            y0, y1 = sorted((a.y + dy * i / pieces, a.y + dy * (i + 1) / pieces))
-            self._taken.extend((x0 - half, y0 - half, x1 + half, y1 + half))
 
     def is_free(self, rect: Rect) -> bool:
         """Whether a label may stand there."""
@@ -157,3 +143,33 @@ def _spots(size: Size, anchor: Point, gap: float) -> NDArray[Any]:
     corner = np.array([anchor.x, anchor.y]) - half
     spots: NDArray[Any] = corner + AWAY[:, 1:] * (AWAY[:, :1] + gap + half)
     return spots
+
+
+def _of_circles(circles: list[tuple[Point, float]]) -> NDArray[Any]:
+    """Rectangles that fill discs (left, top, right, bottom), three for each."""
+    x, y, radius = np.array([(x, y, radius) for (x, y), radius in circles]).T
+    rects = [
+        np.stack((x - wide, y - high, x + wide, y + high), axis=1)
+        for wide, high in (
+            (0.5 * radius, radius),
+            (0.9 * radius, 0.9 * radius),
+            (radius, 0.5 * radius),
+        )
+    ]
+    return np.concatenate(rects)
+
+
+def _of_lines(lines: list[tuple[Point, Point, float]]) -> NDArray[Any]:
+    """Rectangles along thick lines (left, top, right, bottom): more of them if they slant."""
+    ends = np.array([(*a, *b, width) for a, b, width in lines])
+    ends = ends[np.isfinite(ends).all(axis=1)]
+    way = np.abs(ends[:, 2:4] - ends[:, :2])
+    steps = np.minimum(np.maximum(np.ceil(way.max(axis=1, initial=0.0) / PIECE), 1), MOST_PIECES)
+    slants = way.min(axis=1, initial=math.inf) > ends[:, 4]
+    pieces = np.where(slants, steps, 1).astype(np.intp)
+    first = np.cumsum(pieces) - pieces
+    number = (np.arange(pieces.sum()) - first.repeat(pieces))[:, None]
+    ends, count = ends.repeat(pieces, axis=0), pieces.repeat(pieces)[:, None]
+    start, way, half = ends[:, :2], ends[:, 2:4] - ends[:, :2], ends[:, 4:] / 2
+    one, other = start + way * number / count, start + way * (number + 1) / count
+    return np.concatenate((np.minimum(one, other) - half, np.maximum(one, other) + half), axis=1)

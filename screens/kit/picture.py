@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from screens.kit import sheets, theme
 from screens.kit.cache import Cache
 from screens.kit.discs import Coat, Discs
-from screens.kit.raster import Box, Coverage, Look, Mask, Shape, bounding_box, cover
+from screens.kit.raster import Box, Look, Mask, Shape, bounding_box, cover
 from screens.kit.sdl import pygame
 from screens.kit.sheets import Page, Pixels, Sheet, Sheets
 from screens.kit.theme import Color
@@ -129,8 +129,8 @@ class Picture:
         if not seen.area:
             return
         if box.area > self.width * self.height:
-            coverage = cover(shape, look, seen.moved(-column, -row))
-            self._ready().stamp(_sprite(coverage, color, _level(alpha)), seen.left, seen.top)
+            mask = Mask(cover(shape, look, seen.moved(-column, -row)))
+            self._ready().stamp(_sprite(mask, color, _level(alpha)), seen.left, seen.top)
             return
         mask = Mask(cover(shape, look, box), box.left, box.top)
         self.stamp(key, color, alpha, column, row, lambda: mask)
@@ -153,10 +153,13 @@ class Picture:
         row: int,
         make: Callable[[], Mask],
     ) -> None:
-        """Paint a mask in a colour, as seen from a pixel; it is made if none is held as `key`."""
+        """Paint a mask in a colour, as seen from a pixel; it is made if none is held as `key`.
+
+        A mask that has colours of its own is painted in these.
+        """
         if alpha > 0 and not self._restamp(key, color, alpha, column, row):
             mask = make()
-            self._masks.keep(key, mask, mask.coverage.size + OVERHEAD)
+            self._masks.keep(key, mask, mask.size + OVERHEAD)
             self._blit(mask, key, color, alpha, column, row)
 
     def _restamp(self, key: Hashable, color: Color, alpha: float, column: int, row: int) -> bool:
@@ -176,12 +179,11 @@ class Picture:
         self, mask: Mask, key: Hashable, color: Color, alpha: float, column: int, row: int
     ) -> None:
         """Paint a mask in a colour; sprites that fade are not worth to be kept."""
-        coverage, left, top = mask
-        sprite = _sprite(coverage, color, _level(alpha))
+        sprite = _sprite(mask, color, _level(alpha))
         if alpha >= 1:
-            size = 4 * coverage.size + OVERHEAD
-            self._sprites.keep((key, color), (sprite, left, top), size)
-        self._ready().stamp(sprite, column + left, row + top)
+            size = 4 * mask.coverage.size + OVERHEAD
+            self._sprites.keep((key, color), (sprite, mask.left, mask.top), size)
+        self._ready().stamp(sprite, column + mask.left, row + mask.top)
 
     def page(self) -> Page:
         """The picture as it is now, to be shown by others of the same size."""
@@ -235,15 +237,14 @@ def _level(alpha: float) -> int:
     return round(min(max(alpha, 0.0), 1.0) * 256)
 
 
-def _sprite(coverage: Coverage, color: Color, level: int) -> pygame.Surface:
-    """A picture of one colour whose opacity is the coverage, times `level` / 256."""
-    pixels = coverage.astype(np.uint32)
+def _sprite(mask: Mask, color: Color, level: int) -> pygame.Surface:
+    """One colour, or those of the mask, with its coverage x `level` / 256 as opacity."""
+    pixels = mask.coverage * np.uint32(level << 16)
     if level < 256:
-        pixels *= np.uint32(level)
-        pixels += np.uint32(128)
-        pixels >>= np.uint32(8)
-    pixels <<= np.uint32(24)
-    pixels |= np.uint32(color[0] << 16 | color[1] << 8 | color[2])
+        pixels += np.uint32(128 << 16)
+        pixels &= np.uint32(0xFF000000)
+    one = np.uint32(color[0] << 16 | color[1] << 8 | color[2])
+    pixels |= one if mask.inks is None else mask.inks
     return _picture(pixels)
 
 

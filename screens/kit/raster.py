@@ -68,6 +68,13 @@ class Mask(NamedTuple):
     """Of its first column, seen from where it is stamped (px)."""
     top: int = 0
     """Of its first row."""
+    inks: NDArray[np.uint32] | None = None
+    """The colour of each pixel (0x00RRGGBB), if they are not all of one."""
+
+    @property
+    def size(self) -> int:
+        """How many bytes it takes."""
+        return self.coverage.nbytes + (0 if self.inks is None else self.inks.nbytes)
 
 
 class Shape(Protocol):
@@ -228,9 +235,14 @@ class ArrowShape(NamedTuple):
     def bounds(self) -> tuple[float, float, float, float]:
         """See `Shape`."""
         parts = self._parts()
-        one = Hull((*parts.wings, parts.tip)).bounds()
-        two = Bar(parts.tail, parts.neck, parts.width).bounds()
-        return min(one[0], two[0]), min(one[1], two[1]), max(one[2], two[2]), max(one[3], two[3])
+        (ax, ay), (bx, by), (x, y), half = *parts.wings, parts.tail, parts.width / 2
+        tip_x, tip_y = parts.tip
+        return (
+            min(x - half, tip_x, ax, bx),
+            min(y - half, tip_y, ay, by),
+            max(x + half, tip_x, ax, bx),
+            max(y + half, tip_y, ay, by),
+        )
 
     def distance(self, x: Grid, y: Grid) -> Grid:
         """See `Shape`."""
@@ -295,13 +307,13 @@ FILLED = Look()
 
 def cover(shape: Shape, look: Look, box: Box) -> Coverage:
     """How much `shape` covers each pixel of `box`."""
-    left, top, right, bottom = shape.bounds()
-    reach = max(-left, -top, right, bottom)
+    reach = max(-box.left, -box.top, box.right, box.bottom)
     kind = np.float32 if reach < FAR else np.float64
     x = np.arange(box.left + 0.5, box.right, dtype=kind)[None, :]
     y = np.arange(box.top + 0.5, box.bottom, dtype=kind)[:, None]
     if not isinstance(shape, Slab):
         return _cover(shape, look, x, y)
+    left, top, right, bottom = shape.bounds()
     # Away from its ends all columns of a rectangle are equal, and so are all rows.
     near = shape.radius + look.rim_width + look.inset + 2
     columns, wide = _unlike(x[0], left + near, right - near)

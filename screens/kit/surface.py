@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from screens.kit import arrows
+from screens.kit.badge import badge
 from screens.kit.cache import Cache
 from screens.kit.discs import LARGEST, Coat
 from screens.kit.geometry import Point, Rect, Size
@@ -24,7 +25,8 @@ Align = Literal["left", "center", "right"]
 Valign = Literal["top", "middle", "baseline"]
 
 HALVES, FINEST = 2, 64
-"""Fading arrows start at such parts of a pixel, and their reach is rounded to such parts."""
+"""Fading arrows start at such parts of a dp, or at whole pixels if those are smaller, and their
+reach is rounded to such parts of a pixel."""
 FAR = 1e5
 """Nothing small that is farther away than this can be seen (px)."""
 LAYERS = 2
@@ -53,6 +55,7 @@ class Surface:
         """Pixels per dp."""
         self.size = Size(width / self.scale, height / self.scale)
         """(dp)"""
+        self._parts = max(1, round(HALVES / self.scale))
         self.type: Type = _like.type if _like else Type(self.scale)
         self._lines: Cache[list[tuple[str, float]]] = _like._lines if _like else Cache(1 << 20)
         self._layers: Cache[Surface] = Cache(LAYERS)
@@ -177,9 +180,9 @@ class Surface:
         if not (abs(start.x) < FAR and abs(start.y) < FAR):
             return
         if alpha < 1:
-            # What fades moves, too, as a rule: at half pixels its sprite is soon met again.
-            reach = Point(end.x - start.x, end.y - start.y)
-            start = Point(_to(start.x, HALVES), _to(start.y, HALVES))
+            # What fades moves, too, as a rule: at few places its sprite is soon met again.
+            reach, parts = Point(end.x - start.x, end.y - start.y), self._parts
+            start = Point(_to(start.x, parts), _to(start.y, parts))
             end = Point(start.x + _to(reach.x, FINEST), start.y + _to(reach.y, FINEST))
         # Seen from the pixel where it starts, it is the same shape wherever it is.
         column, row = math.floor(start.x), math.floor(start.y)
@@ -247,6 +250,38 @@ class Surface:
         right, down = int((left - column) * FINE), int((baseline - row) * FINE)
         key = (face, words, right, down)
         self._picture.stamp(key, color, alpha, column, row, lambda: face.mask(words, right, down))
+
+    def badge(
+        self,
+        words: str,
+        rect: Rect,
+        style: Style,
+        color: Color,
+        ground: tuple[Color, float],
+        alpha: float = 1,
+    ) -> None:
+        """A line of words in the middle of a rounded ground (a colour and its opacity).
+
+        Ground and words fade as one, and are placed to whole pixels together.
+        """
+        scale = self.scale
+        left, top = rect.x * scale, rect.y * scale
+        width, height = round(rect.width * scale), round(rect.height * scale)
+        if not (width > 0 and height > 0 and abs(left) < FAR and abs(top) < FAR):
+            return
+        face = self.type.face(style)
+        ((line, wide),) = self._break(words, style, None, 1)
+        middle, baseline = (width - wide) / 2, (height + CAP_HEIGHT * face.pixels) / 2
+        self._picture.stamp(
+            ("badge", face, line, width, height, color, ground),
+            color,
+            alpha,
+            round(left),
+            round(top),
+            lambda: badge(
+                face.line(line), round(middle), round(baseline), color, (width, height), ground
+            ),
+        )
 
     # -- the whole ----------------------------------------------------------------------------
 

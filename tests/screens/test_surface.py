@@ -176,6 +176,53 @@ class TestOutside:
             Surface(*size)
 
 
+class TestBadges:
+    """Words on a rounded ground."""
+
+    GROUND = (0x20, 0x20, 0x20), 0.92
+    RECT = Rect(20, 30, 90, 22)
+
+    def draw(self, alpha: float, words: str = "0.52 N", below: int = 200) -> np.ndarray:
+        surface = black()
+        surface.fill((below, below, below))
+        surface.badge(words, self.RECT, theme.VECTOR, theme.ORANGE, self.GROUND, alpha)
+        return surface.pixels().view(np.uint8).reshape(HEIGHT, WIDTH, 4).astype(int)
+
+    def test_it_looks_like_words_over_a_rectangle(self):
+        surface = black()
+        surface.fill((200, 200, 200))
+        surface.rect(self.RECT, *self.GROUND, radius=11)
+        at, style = self.RECT.center, theme.VECTOR
+        surface.text("0.52 N", at, style, theme.ORANGE, align="center", valign="middle")
+        apart = surface.pixels().view(np.uint8).reshape(HEIGHT, WIDTH, 4).astype(int)
+        assert np.abs(self.draw(1.0) - apart).max() <= 2
+
+    def test_words_and_ground_fade_as_one(self):
+        """Half of it shows half of what it is, and half of what is below."""
+        expected = (self.draw(1.0) + 200.0) / 2
+        assert np.abs(self.draw(0.5) - expected)[..., :3].max() <= 2
+        assert (self.draw(0.0)[..., :3] == 200).all()
+
+    def test_colours_do_not_mix_up(self):
+        surface = black()
+        for color in (theme.ORANGE, theme.TEAL, theme.ORANGE):
+            surface.badge("N", self.RECT, theme.VECTOR, color, self.GROUND)
+            red, blue = (int(surface.pixels().max() >> 16), int((surface.pixels() & 255).max()))
+            assert (red > blue) == (color == theme.ORANGE)
+
+    def test_words_that_are_too_long_stay_on_it(self):
+        lit = (self.draw(1.0, "far too many words for such a label") != 200).any(axis=2)
+        rows, columns = np.nonzero(lit)
+        assert (columns.min(), columns.max()) == (20, 109)
+        assert (rows.min(), rows.max()) == (30, 51)
+
+    def test_without_room_there_is_none(self):
+        surface = black()
+        surface.badge("N", Rect(20, 30, 0, 22), theme.VECTOR, theme.ORANGE, self.GROUND)
+        surface.badge("", self.RECT._replace(x=1e9), theme.VECTOR, theme.ORANGE, self.GROUND)
+        assert not surface.pixels().any()
+
+
 class TestPictures:
     def test_pixels_are_an_own_copy_of_red_green_and_blue(self):
         surface = black()
