@@ -56,11 +56,12 @@ class Face:
             placed.append((left, cover))
             high, wide = max(high, cover.shape[0]), max(wide, left + cover.shape[1])
             start += self._width(part)
-        line = np.zeros((high, wide), np.uint16)
+        line = np.zeros((high, wide), np.uint8)
         for left, cover in placed:
             rows, columns = cover.shape
-            line[:rows, left : left + columns] += cover
-        return Mask(np.minimum(line, 255).astype(np.uint8), 0, -self._rise)
+            room = line[:rows, left : left + columns]
+            np.maximum(room, cover, out=room)
+        return Mask(line, 0, -self._rise)
 
     def mask(self, words: str, right: int = 0, down: int = 0) -> Mask:
         """The same, but set as a whole and moved by such fine parts of a pixel."""
