@@ -126,6 +126,7 @@ DERIVED = (
     "bodies.first_link",
     "bodies.links",
     "bodies.joined",
+    "bodies.bone",
     "pairs.queue",
     "pairs.resting",
     "state.loose",

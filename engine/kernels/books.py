@@ -248,7 +248,7 @@ def book_relax(t: Tables, resting: int, count: int) -> None:
             if abs(vx) + abs(vy) + abs(spin) > CALM:
                 calm = False
     work, x, y = book_contacts(t, resting, 1.0, calm, True)
-    if t.braces.sizes[0] > 0:
+    if t.braces.sizes[0] > 0 or t.bones.sizes[0] > 0:
         book_ease(t, count, work, x, y)
 
 

@@ -10,9 +10,9 @@ of the tick (or, when relaxing, at its end), so that angular momentum is kept to
 from engine.kernels.books import book_relax, book_turn, note_part
 from engine.kernels.following import follow, share_of_b
 from engine.kernels.rubbing import outruns_forces, resist_rolling
-from engine.linkage.impulses import add_up
 from engine.linkage.positions import bind, brace, follow_joints, keep_impulses
-from engine.linkage.velocities import ease, prepare_ease
+from engine.linkage.tally import joints_act
+from engine.linkage.velocities import ease, keep_ends, prepare_ease
 from engine.tables import RESTING, Tables
 
 CALM = 0.02
@@ -52,7 +52,7 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
         failed = bind(t, part)
         if not wild and (resting == 0 or failed <= CALM):
             break
-    keep_impulses(t)
+    keep_impulses(t, part)
     for row in range(count):
         if bodies.held[row] > 0:
             bodies.path_x[row] = (bodies.kick_x[row] - bodies.vx[row]) / part
@@ -94,7 +94,7 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
             failed = ease(t)
             if not wild and (left == 0 or (failed <= CALM and i >= TO_RELAX)):
                 break
-    add_up(t)
+    keep_ends(t, part, done)
     book_relax(t, left, count)
     for row in range(count):
         if bodies.held[row] > 0:
@@ -311,7 +311,7 @@ def correct_arms(
         part: its planned length (s).
         reached: after which it ended (s).
     """
-    joined = t.braces.sizes[0] > 0
+    joined = joints_act(t)
     if reached == part and t.impacts.written[0] == first and not joined:
         return
     shift_paths(t, count, first, now, part, reached)

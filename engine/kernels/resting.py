@@ -13,6 +13,7 @@ from engine.kernels.sleeping import wake
 from engine.kernels.spring import frequency, softness, softness_left
 from engine.kernels.steady import let_go
 from engine.kernels.touches import collect_last_part, leave, touch
+from engine.linkage.tally import joints_act
 from engine.tables import FREE, IMPACTS_AT_ONCE, RESTING, Tables
 
 TOUCHING = 1e-5
@@ -166,7 +167,7 @@ def hold(t: Tables, count: int, resting: int, now: float, part: float, substep: 
             t.bodies.path_x[row] = t.bodies.ax[row]
             t.bodies.path_y[row] = t.bodies.ay[row]
             t.bodies.path_spin[row] = t.bodies.aspin[row]
-    if resting > 0 or t.braces.sizes[0] > 0:
+    if resting > 0 or joints_act(t):
         kick(t, resting, count, part)
     return resting
 

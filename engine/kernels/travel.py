@@ -23,7 +23,14 @@ from engine.kernels.resting import (
 from engine.kernels.sensing import sense_at_end, sense_passing
 from engine.kernels.steady import balance, is_steady
 from engine.kernels.touches import collect, take_back, touch
-from engine.linkage.tally import clear_sums, mean_forces, part_for_joints
+from engine.linkage.limb_impacts import bone_changed, tree_at
+from engine.linkage.pace import part_for_joints
+from engine.linkage.tally import (
+    clear_sums,
+    joints_act,
+    joints_that_act,
+    mean_forces,
+)
 from engine.linkage.velocities import changed
 from engine.tables import FREE, IMPACTS_AT_ONCE, NEVER, RESTING, Bodies, Tables
 
@@ -96,7 +103,7 @@ def travel(
     while now < dt:
         resting = settle(t, count, pair_count, substep)
         part, held, steady = plan(t, count, resting, now, dt, substep)
-        joined = t.braces.sizes[0]
+        joined = joints_that_act(t)
         first = t.impacts.written[0]
         measure_ways(t, count, part)
         if t.progress.sensing[0] > 0:
@@ -109,11 +116,12 @@ def travel(
                 t, queued, held + joined, steady, now, part, dt, substep, limit
             )
         advance_all(t.bodies, count, reached)
-        if held > 0 or joined > 0:
+        if held > 0:
             book_part(t, held, count, part, reached, t.impacts.written[0] > first)
             if reached < part:
                 take_back(t, held, 1.0 - reached / part)
             correct_arms(t, held, count, first, now, part, reached)
+        if held > 0 or joined > 0:
             relax(t, held, count, part, reached / part, steady)
         now = dt if reached >= part and part == dt - now else now + reached
         if status != DONE and now < dt:
@@ -137,13 +145,13 @@ def plan(
     Returns the length, the number of pairs that rest in it, and whether they do so steadily.
     """
     part = dt - now
-    if resting == 0 and t.braces.sizes[0] == 0:
+    if resting == 0 and not joints_act(t):
         return part, 0, False
-    if now == 0.0 and t.braces.sizes[0] == 0 and is_steady(t, count, resting, dt):
+    if now == 0.0 and not joints_act(t) and is_steady(t, count, resting, dt):
         place_middle(t, count, dt / 2.0)
         if balance(t, count, resting, dt):
             return part, resting, True
-    shortest = part_for_joints(t, substep)
+    shortest = part_for_joints(t, substep, part, resting)
     if shortest < part * (1.0 - 1e-9):
         part = shortest
     return part, hold(t, count, resting, now, part, substep), False
@@ -215,8 +223,8 @@ def meet_in_order(
         if rests and held == 0 and time < part:
             return DONE, time, queued
         if t.bodies.joined[a] == 1 or t.bodies.joined[b] == 1:
-            written[1] += t.braces.sizes[0] // 8  # joints make it dear: give up sooner
-            queued = look_at_joined(t, time, part, queued, written[1] < 2 * limit)
+            written[1] += joints_that_act(t) // 8  # joints make it dear: give up sooner
+            queued = look_at_joined(t, a, b, time, part, queued, written[1] < 2 * limit)
         # What rests cannot wait for the end of a steady tick once something hits it.
         if steady and (rests or t.bodies.held[a] > 0 or t.bodies.held[b] > 0):
             cut = True
@@ -286,11 +294,34 @@ def look_again(t: Tables, row: int, time: float, part: float, queued: int, stric
     return queued
 
 
-def look_at_joined(t: Tables, time: float, part: float, queued: int, strict: bool) -> int:
-    """Find anew, after an impact at `time` (s), when what the joints moved meets others."""
+def look_at_joined(
+    t: Tables, a: int, b: int, time: float, part: float, queued: int, strict: bool
+) -> int:
+    """Find anew, after an impact of a and b at `time` (s), when what the joints moved meets others."""
+    tree_a = tree_at(t, a)
+    tree_b = tree_at(t, b)
+    if tree_a >= 0:
+        queued = look_at_tree(t, tree_a, time, part, queued, strict)
+    if tree_b >= 0 and tree_b != tree_a:
+        queued = look_at_tree(t, tree_b, time, part, queued, strict)
+    if (t.bodies.joined[a] == 0 or tree_a >= 0) and (t.bodies.joined[b] == 0 or tree_b >= 0):
+        return queued
     for node in range(1, t.braces.sizes[1]):
         if changed(t, node):
             queued = look_again(t, t.nodes.body[node], time, part, queued, strict)
+    return queued
+
+
+def look_at_tree(t: Tables, tree: int, time: float, part: float, queued: int, strict: bool) -> int:
+    """Find anew, after an impact at `time` (s), when bodies of a tree of hinges meet others."""
+    first = t.trees.first[tree]
+    for at in range(first, first + t.trees.limbs[tree]):
+        bone = t.limbs.member[at]
+        if bone_changed(t, bone):
+            queued = look_again(t, t.bones.body[bone], time, part, queued, strict)
+    root = t.trees.root[tree]
+    if root >= 0 and bone_changed(t, root):
+        queued = look_again(t, t.bones.body[root], time, part, queued, strict)
     return queued
 
 

@@ -1,15 +1,18 @@
 """The order in which joints are eliminated, and the tables that follow from it.
 
-Joints that share a movable body meet in an entry of the system matrix. They are numbered from one
-end of each group to the other, reversed (Cuthill and McKee, "Reducing the bandwidth of sparse
-symmetric matrices", 1969): a chain has the profile of a band of two joints.
+Trees of hinges go their own way (`linkage.trees`). Other joints that share a movable body meet in
+an entry of the system matrix. They are numbered from one end of each group to the other, reversed
+(Cuthill and McKee, "Reducing the bandwidth of sparse symmetric matrices", 1969): a chain has the
+profile of a band of two joints.
 """
 
-from typing import Any, NamedTuple
+from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
 from engine.linkage.geometry import LINE, POINT, SLIDE, STRING
+from engine.linkage.trees import WORLD, Brace, Tree, fill_trees, tree_of
 from engine.tables import (
     Arms,
     Braces,
@@ -26,17 +29,6 @@ SHAPES = (LINE, LINE, LINE, POINT, POINT, SLIDE, STRING)
 """Of each kind in `joints.KINDS`: distance, rope, spring, pin, weld, slider, pulley."""
 
 
-class Brace(NamedTuple):
-    """A joint that acts."""
-
-    joint: int
-    shape: int
-    rows: int
-    a: int
-    """Row of the body, -1 for the world."""
-    b: int
-
-
 def put_in_order(t: Tables, joints: int, row_of: dict[int, int]) -> Tables:
     """Make the tables of the braces anew.
 
@@ -49,16 +41,24 @@ def put_in_order(t: Tables, joints: int, row_of: dict[int, int]) -> Tables:
     inverse_mass = t.bodies.inverse_mass
     joined: dict[int, list[int]] = {}
     for number, brace in enumerate(acting):
-        for body in {brace.a, brace.b} - {-1}:
+        for body in {brace.a, brace.b} - {WORLD}:
             if inverse_mass[body] > 0.0:
                 joined.setdefault(body, []).append(number)
-    order = _elimination(acting, joined)
-    fixed = {body for brace in acting for body in (brace.a, brace.b)} - {-1}
-    node_of = {-1: 0} | {body: node + 1 for node, body in enumerate(sorted(fixed))}
     np.asarray(t.bodies.joined)[:] = 0
     for body in joined:
         t.bodies.joined[body] = 1
-    return _filled(t, [acting[number] for number in order], node_of, set(joined))
+    trees: list[Tree] = []
+    rest: list[Brace] = []
+    for island in _islands(acting, joined):
+        tree = tree_of(len(trees), island, joined, acting)
+        if tree is None:
+            rest += island
+        else:
+            trees.append(tree)
+    fixed = {body for brace in rest for body in (brace.a, brace.b)} - {WORLD}
+    node_of = {WORLD: 0} | {body: node + 1 for node, body in enumerate(sorted(fixed))}
+    movable = set(joined)
+    return _filled(fill_trees(t, trees, movable, row_of), rest, node_of, movable)
 
 
 def _brace(t: Tables, joint: int, row_of: dict[int, int]) -> Brace:
@@ -69,17 +69,15 @@ def _brace(t: Tables, joint: int, row_of: dict[int, int]) -> Brace:
     return Brace(joint, shape, 1 if shape in (LINE, STRING) else rows, a, b)
 
 
-def _elimination(braces: list[Brace], joined: dict[int, list[int]]) -> list[int]:
-    """Numbers of the braces, in the order of elimination."""
-    order: list[int] = []
+def _islands(braces: list[Brace], joined: dict[int, list[int]]) -> Iterator[list[Brace]]:
+    """The groups of connected braces, each in the order of elimination."""
     seen: set[int] = set()
     for number in range(len(braces)):
         if number not in seen:
             far_end = _walk(number, braces, joined)[-1]
             group = _walk(far_end, braces, joined)
             seen.update(group)
-            order += group[::-1]
-    return order
+            yield [braces[other] for other in reversed(group)]
 
 
 def _walk(start: int, braces: list[Brace], joined: dict[int, list[int]]) -> list[int]:

@@ -11,6 +11,7 @@ does not drift. The equations are solved by Newton's method with the matrix of t
 from engine.kernels.books import book_jolt
 from engine.linkage.geometry import aim, measure, place_nodes
 from engine.linkage.impulses import add_up, lend, note_impulses, solve_for, take
+from engine.linkage.limb_motion import bind_limbs, brace_limbs, keep_limb_impulses
 from engine.linkage.modes import (
     ELASTIC,
     FREE_WAY,
@@ -38,6 +39,7 @@ motor ends, only where everything else is solved; else they would chase each oth
 
 def brace(t: Tables, part: float) -> None:
     """Prepare the joints for a part (s); let the impulses of the part before act."""
+    brace_limbs(t, part)
     if t.braces.sizes[0] == 0:
         return
     for node in range(t.braces.sizes[1]):
@@ -63,8 +65,9 @@ def bind(t: Tables, part: float) -> float:
 
     That speed is in reaches of the smaller body a second (1/s).
     """
+    of_limbs = bind_limbs(t, part)
     if t.braces.sizes[0] == 0:
-        return 0.0
+        return of_limbs
     gather_means(t)
     for row in range(t.braces.sizes[2]):
         t.equations.total[row] = 0.0
@@ -101,7 +104,7 @@ def bind(t: Tables, part: float) -> float:
     if worst > STRIDE:
         give_up(t)
     deliver(t)
-    return failed
+    return failed if failed > of_limbs else of_limbs
 
 
 def give_up(t: Tables) -> None:
@@ -133,8 +136,9 @@ def step_back(t: Tables) -> None:
         lend(t, row, -half)
 
 
-def keep_impulses(t: Tables) -> None:
-    """Note what the joints exert at the start of the part, once that is settled."""
+def keep_impulses(t: Tables, part: float) -> None:
+    """Note what the joints exert at the start of the part (s), once that is settled."""
+    keep_limb_impulses(t, part)
     note_impulses(t)
     add_up(t)
 
@@ -185,6 +189,11 @@ def follow_joints(t: Tables, part: float) -> None:
         row = nodes.body[node]
         bodies.shift_x[row] += nodes.sum_x[node] * part / 2.0
         bodies.shift_y[row] += nodes.sum_y[node] * part / 2.0
+    bones = t.bones
+    for bone in range(bones.sizes[1]):
+        row = bones.body[bone]
+        bodies.shift_x[row] += bones.sum_x[bone] * part / 2.0
+        bodies.shift_y[row] += bones.sum_y[bone] * part / 2.0
 
 
 def warm_start(t: Tables, part: float) -> None:

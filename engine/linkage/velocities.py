@@ -8,6 +8,8 @@ from engine.kernels.books import book_jolt
 from engine.kernels.pose import advance
 from engine.linkage.geometry import aim, place_node, place_nodes
 from engine.linkage.impulses import add_up, lend, noted_impulse, solve_for, take
+from engine.linkage.limb_impacts import react_tree, tree_at
+from engine.linkage.limb_motion import ease_limbs, keep_limb_ends, prepare_limbs
 from engine.linkage.modes import DRIVEN, ELASTIC, STRAINED, coordinate_row
 from engine.linkage.skyline import assemble, factorise, solve
 from engine.tables import Tables
@@ -18,6 +20,7 @@ MOST_CHANGES = 30
 
 def prepare_ease(t: Tables, part: float, done: float) -> None:
     """Prepare the joints for the end of a part (s), of which the share `done` has passed."""
+    prepare_limbs(t)
     if t.braces.sizes[0] == 0:
         return
     joints = t.joints
@@ -41,8 +44,9 @@ def prepare_ease(t: Tables, part: float, done: float) -> None:
 
 def ease(t: Tables) -> float:
     """Make velocities obey the constraints; return how fast they did not before (1/s)."""
+    of_limbs = ease_limbs(t)
     if t.braces.sizes[0] == 0:
-        return 0.0
+        return of_limbs
     gather_ends(t)
     failed = 0.0
     for step in range(MOST_CHANGES):
@@ -54,7 +58,13 @@ def ease(t: Tables) -> float:
             break
         renew(t)
     deliver_ends(t)
-    return failed
+    return failed if failed > of_limbs else of_limbs
+
+
+def keep_ends(t: Tables, part: float, done: float) -> None:
+    """Note what the joints exert at the end of a part (s), of which the share `done` has passed."""
+    keep_limb_ends(t, part, done)
+    add_up(t)
 
 
 def begin_instant(t: Tables) -> None:
@@ -156,6 +166,20 @@ def react(
         time: since the part began (s).
         old: velocity and spin of a, then of b, before (m/s, rad/s).
     """
+    tree_a = tree_at(t, a)
+    tree_b = tree_at(t, b)
+    if tree_a >= 0:
+        react_tree(t, tree_a, a, b, time, old)
+    if tree_b >= 0 and tree_b != tree_a:
+        react_tree(t, tree_b, a, b, time, old)
+    if (t.bodies.joined[a] == 1 and tree_a < 0) or (t.bodies.joined[b] == 1 and tree_b < 0):
+        react_braces(t, a, b, time, old)
+
+
+def react_braces(
+    t: Tables, a: int, b: int, time: float, old: tuple[float, float, float, float, float, float]
+) -> None:
+    """Do so with the joints that are no hinges of trees."""
     t.braces.sizes[5] = 0
     place_in_flight(t, time)
     begin_instant(t)

@@ -19,7 +19,18 @@ from engine.tables.columns import (
     sort_rows,
     views,
 )
-from engine.tables.linkage import Arms, Braces, Couplings, Equations, Joints, Nodes, Profile
+from engine.tables.linkage import (
+    Arms,
+    Bones,
+    Braces,
+    Couplings,
+    Equations,
+    Joints,
+    Limbs,
+    Nodes,
+    Profile,
+    Trees,
+)
 from engine.tables.pairs import (
     FREE,
     IMPACTS_AT_ONCE,
@@ -52,6 +63,7 @@ __all__ = [
     "SLEEPING",
     "Arms",
     "Bodies",
+    "Bones",
     "Books",
     "Braces",
     "Contacts",
@@ -67,6 +79,7 @@ __all__ = [
     "Impacts",
     "Ints",
     "Joints",
+    "Limbs",
     "Links",
     "Materials",
     "Nodes",
@@ -81,6 +94,7 @@ __all__ = [
     "Tables",
     "Touch",
     "Tracks",
+    "Trees",
     "allocate",
     "arrays",
     "clear_row",

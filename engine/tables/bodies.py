@@ -57,6 +57,8 @@ class Bodies(NamedTuple):
     """Number of resting contacts at the end of the last tick, one more for joined bodies."""
     joined: Ints
     """1 for a body that moves and that a joint holds."""
+    bone: Ints
+    """Row in `Bones`, plus 1, of a body that moves in a tree of hinges; else 0."""
     calm: Ints
     """For how many ticks the body has rested and been calm."""
     last_x: Floats

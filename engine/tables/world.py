@@ -4,7 +4,18 @@ from typing import NamedTuple, get_type_hints
 
 from engine.tables.bodies import Bodies, Corners, Fields, Materials, Pieces, Pushes
 from engine.tables.columns import Floats, Ints, allocate, views
-from engine.tables.linkage import Arms, Braces, Couplings, Equations, Joints, Nodes, Profile
+from engine.tables.linkage import (
+    Arms,
+    Bones,
+    Braces,
+    Couplings,
+    Equations,
+    Joints,
+    Limbs,
+    Nodes,
+    Profile,
+    Trees,
+)
 from engine.tables.pairs import (
     IMPACTS_AT_ONCE,
     Contacts,
@@ -157,6 +168,9 @@ class Tables(NamedTuple):
     arms: Arms
     couplings: Couplings
     profile: Profile
+    limbs: Limbs
+    bones: Bones
+    trees: Trees
     counts: Counts
     state: State
     books: Books
@@ -186,6 +200,7 @@ ROWS = {
     "joints": 4,
     "braces": 8,
     "nodes": 2,
+    "bones": 5,
 }
 """Rows that the tables of a new world have room for; those that are not named have one."""
 

@@ -1,0 +1,151 @@
+"""Trees of hinged bodies at the instant in which something strikes one of them."""
+
+from engine.kernels.books import book_jolt
+from engine.kernels.pose import advance
+from engine.linkage.limb_impulses import add_up_limb, lend_limb, lend_nothing
+from engine.linkage.limb_motion import find_hinge_rate
+from engine.linkage.limbs import eliminate, load_alone, place_bone, place_limb, solve_tree
+from engine.tables import Tables
+
+
+def tree_at(t: Tables, row: int) -> int:
+    """Row in `Trees` of the tree that a body belongs to; -1: none."""
+    bone = t.bodies.bone[row] - 1
+    return t.bones.tree[bone] if bone >= 0 else -1
+
+
+def place_tree(t: Tables, tree: int, time: float) -> None:
+    """Resolve a tree for where its bodies are at `time` of the part (s)."""
+    t.bones.sizes[4] = 0
+    limbs = t.limbs
+    first = t.trees.first[tree]
+    end = first + t.trees.limbs[tree]
+    place_in_flight(t, limbs.parent[limbs.member[end - 1]], time)
+    for at in range(first, end):
+        place_in_flight(t, limbs.member[at], time)
+    for at in range(first, end):
+        place_limb(t, limbs.member[at])
+    for at in range(first, end):
+        eliminate(t, limbs.member[at])
+
+
+def place_in_flight(t: Tables, bone: int, time: float) -> None:
+    """Place a bone where its body is at `time` of the part (s); it bears nothing else."""
+    bodies = t.bodies
+    row = t.bones.body[bone]
+    if row < 0:
+        place_bone(t, bone, 0.0, 0.0, 0.0)
+    else:
+        passed = time - bodies.clock[row]
+        half = passed * passed / 2.0
+        x = bodies.x[row] + bodies.vx[row] * passed
+        y = bodies.y[row] + bodies.vy[row] * passed
+        angle = bodies.angle[row] + bodies.spin[row] * passed
+        if bodies.inverse_mass[row] > 0.0:
+            x += bodies.path_x[row] * half
+            y += bodies.path_y[row] * half
+            angle += bodies.path_spin[row] * half
+        place_bone(t, bone, x, y, angle)
+    load_alone(t, bone)
+
+
+def jolt_tree(t: Tables, tree: int) -> None:
+    """Let the hinges of a placed tree answer to the velocities of its bones; sum what they exert.
+
+    What they change the velocities by is lent to the bones.
+    """
+    limbs = t.limbs
+    first = t.trees.first[tree]
+    end = first + t.trees.limbs[tree]
+    for at in range(first, end):
+        find_hinge_rate(t, limbs.member[at])
+    solve_tree(t, tree)
+    lend_nothing(t, limbs.parent[limbs.member[end - 1]])
+    for at in range(first, end):
+        lend_nothing(t, limbs.member[at])
+    for at in range(first, end):
+        k = limbs.member[at]
+        limbs.impulse_x[k] = limbs.answer_x[k]
+        limbs.impulse_y[k] = limbs.answer_y[k]
+        limbs.given_x[k] = 0.0
+        limbs.given_y[k] = 0.0
+        lend_limb(t, k)
+
+
+def still_tree(t: Tables, tree: int) -> None:
+    """Let no bone of a tree move."""
+    limbs = t.limbs
+    first = t.trees.first[tree]
+    end = first + t.trees.limbs[tree]
+    still_bone(t, limbs.parent[limbs.member[end - 1]])
+    for at in range(first, end):
+        still_bone(t, limbs.member[at])
+
+
+def still_bone(t: Tables, bone: int) -> None:
+    """Let a bone not move."""
+    t.bones.vx[bone] = 0.0
+    t.bones.vy[bone] = 0.0
+    t.bones.spin[bone] = 0.0
+
+
+def react_tree(
+    t: Tables,
+    tree: int,
+    a: int,
+    b: int,
+    time: float,
+    old: tuple[float, float, float, float, float, float],
+) -> None:
+    """Let the hinges of a tree answer, at `time` of the part (s), to what changed a and b.
+
+    Args:
+        t: the tables.
+        tree: which tree.
+        a: row of a body, placed and advanced to the time.
+        b: another one.
+        time: since the part began (s).
+        old: velocity and spin of a, then of b, before (m/s, rad/s).
+    """
+    place_tree(t, tree, time)
+    still_tree(t, tree)
+    note_change(t, tree, a, old[0], old[1], old[2])
+    note_change(t, tree, b, old[3], old[4], old[5])
+    jolt_tree(t, tree)
+    limbs = t.limbs
+    first = t.trees.first[tree]
+    for at in range(first, first + t.trees.limbs[tree]):
+        k = limbs.member[at]
+        add_up_limb(t, k)
+        jolt_bone(t, k, time)
+    if t.trees.root[tree] >= 0:
+        jolt_bone(t, t.trees.root[tree], time)
+
+
+def note_change(t: Tables, tree: int, row: int, vx: float, vy: float, spin: float) -> None:
+    """Write the change of a body's velocity (m/s, rad/s) to its bone, if that is of the tree."""
+    bone = t.bodies.bone[row] - 1
+    if bone >= 0 and t.bones.tree[bone] == tree:
+        t.bones.vx[bone] = t.bodies.vx[row] - vx
+        t.bones.vy[bone] = t.bodies.vy[row] - vy
+        t.bones.spin[bone] = t.bodies.spin[row] - spin
+
+
+def jolt_bone(t: Tables, bone: int, time: float) -> None:
+    """Give a body at `time` of the part (s) what joints lent to its bone."""
+    if not bone_changed(t, bone):
+        return
+    bones = t.bones
+    bodies = t.bodies
+    row = bones.body[bone]
+    advance(bodies, row, time)
+    book_jolt(t, row, bones.lent_x[bone], bones.lent_y[bone], bones.lent_spin[bone])
+    bodies.vx[row] += bones.lent_x[bone]
+    bodies.vy[row] += bones.lent_y[bone]
+    bodies.spin[row] += bones.lent_spin[bone]
+
+
+def bone_changed(t: Tables, bone: int) -> bool:
+    """Whether joints last changed the velocity of a bone."""
+    bones = t.bones
+    return bones.lent_x[bone] != 0.0 or bones.lent_y[bone] != 0.0 or bones.lent_spin[bone] != 0.0

@@ -1,0 +1,117 @@
+"""How impulses of hinges get to the bodies and back: bones hold what the limbs change."""
+
+from engine.kernels.books import book_jolt
+from engine.tables import Tables
+
+
+def read_means(t: Tables) -> None:
+    """Read the mean velocities over the part; what joints lend is nothing yet."""
+    bones = t.bones
+    bodies = t.bodies
+    for bone in range(bones.sizes[2]):
+        row = bones.body[bone]
+        if bone < bones.sizes[1]:
+            bones.vx[bone] = (bodies.vx[row] + bodies.kick_x[row]) / 2.0
+            bones.vy[bone] = (bodies.vy[row] + bodies.kick_y[row]) / 2.0
+            bones.spin[bone] = (bodies.spin[row] + bodies.kick_spin[row]) / 2.0
+            lend_nothing(t, bone)
+        elif row >= 0:
+            read_own(t, bone, row)
+
+
+def read_ends(t: Tables) -> None:
+    """Read the velocities at the end of the part."""
+    bones = t.bones
+    bodies = t.bodies
+    for bone in range(bones.sizes[2]):
+        row = bones.body[bone]
+        if bone < bones.sizes[1]:
+            bones.vx[bone] = bodies.kick_x[row]
+            bones.vy[bone] = bodies.kick_y[row]
+            bones.spin[bone] = bodies.kick_spin[row]
+            lend_nothing(t, bone)
+        elif row >= 0:
+            read_own(t, bone, row)
+
+
+def read_own(t: Tables, bone: int, row: int) -> None:
+    """Read the velocity of a body that nothing changes."""
+    t.bones.vx[bone] = t.bodies.vx[row]
+    t.bones.vy[bone] = t.bodies.vy[row]
+    t.bones.spin[bone] = t.bodies.spin[row]
+
+
+def lend_nothing(t: Tables, bone: int) -> None:
+    """Joints have not changed the velocity of a bone yet."""
+    t.bones.lent_x[bone] = 0.0
+    t.bones.lent_y[bone] = 0.0
+    t.bones.lent_spin[bone] = 0.0
+
+
+def lend_all(t: Tables) -> None:
+    """Let what the limbs exert beyond what was given change the velocities of the bones.
+
+    Steps of the solution would do so too, but for rounding: this way both bones get the same.
+    """
+    bones = t.bones
+    for bone in range(bones.sizes[1]):
+        lend_nothing(t, bone)
+    for k in range(bones.sizes[0]):
+        lend_limb(t, k)
+
+
+def lend_limb(t: Tables, k: int) -> None:
+    """Let one limb do so."""
+    bones = t.bones
+    limbs = t.limbs
+    parent = limbs.parent[k]
+    x = limbs.impulse_x[k] - limbs.given_x[k]
+    y = limbs.impulse_y[k] - limbs.given_y[k]
+    limbs.given_x[k] = limbs.impulse_x[k]
+    limbs.given_y[k] = limbs.impulse_y[k]
+    turn = limbs.arm_x[k] * y - limbs.arm_y[k] * x
+    bones.lent_x[k] += bones.inverse_mass[k] * x
+    bones.lent_y[k] += bones.inverse_mass[k] * y
+    bones.lent_spin[k] += bones.inverse_inertia[k] * turn
+    turn = limbs.lever_x[k] * y - limbs.lever_y[k] * x
+    bones.lent_x[parent] -= bones.inverse_mass[parent] * x
+    bones.lent_y[parent] -= bones.inverse_mass[parent] * y
+    bones.lent_spin[parent] -= bones.inverse_inertia[parent] * turn
+
+
+def deliver_starts(t: Tables) -> None:
+    """Give what joints lent to the bodies, from the start of the part on."""
+    bones = t.bones
+    bodies = t.bodies
+    for bone in range(bones.sizes[1]):
+        row = bones.body[bone]
+        x = bones.lent_x[bone]
+        y = bones.lent_y[bone]
+        spin = bones.lent_spin[bone]
+        book_jolt(t, row, x, y, spin)
+        bodies.vx[row] += x
+        bodies.vy[row] += y
+        bodies.spin[row] += spin
+        bodies.kick_x[row] += x
+        bodies.kick_y[row] += y
+        bodies.kick_spin[row] += spin
+        bones.sum_x[bone] += x
+        bones.sum_y[bone] += y
+
+
+def deliver_ends(t: Tables) -> None:
+    """Give what joints lent to the bodies, at the end of the part."""
+    bones = t.bones
+    bodies = t.bodies
+    for bone in range(bones.sizes[1]):
+        row = bones.body[bone]
+        bodies.kick_x[row] += bones.lent_x[bone]
+        bodies.kick_y[row] += bones.lent_y[bone]
+        bodies.kick_spin[row] += bones.lent_spin[bone]
+
+
+def add_up_limb(t: Tables, k: int) -> None:
+    """Add the impulse of a limb to the sums of the tick."""
+    joint = t.limbs.joint[k]
+    t.joints.sum_x[joint] += t.limbs.sign[k] * t.limbs.impulse_x[k]
+    t.joints.sum_y[joint] += t.limbs.sign[k] * t.limbs.impulse_y[k]

@@ -1,0 +1,370 @@
+"""Trees of hinged bodies through a part of a tick: RATTLE (see `positions`), tree by tree.
+
+What a hinge exerts at the start of a part is nearly what it exerted, at the same instant, at the
+end of the part before, and differs from it as it did in the two parts before: extrapolated that
+way, one step of Newton's method is enough where motion is smooth.
+"""
+
+import math
+
+from engine.linkage.limb_impulses import (
+    add_up_limb,
+    deliver_ends,
+    deliver_starts,
+    lend_all,
+    read_ends,
+    read_means,
+)
+from engine.linkage.limbs import gather_masses, resolve, solve_all, solve_tree, stand, stands
+from engine.linkage.modes import TIGHT
+from engine.tables import Tables
+
+MOST_STEPS = 40
+"""Steps of Newton's method that a part has at most."""
+
+CHORDS = 2
+"""So many steps are taken with the matrix of the first; then each has its own."""
+
+STRIDE = 0.25
+"""Longest step, in reaches of the smaller body."""
+
+DONE, FORWARD, BACK = 0, 1, 2
+"""What the next step of a tree does: none is needed; towards the goal; half the last one back."""
+
+JUMP = 0.1
+"""A force that changes by more than its root from one part to the next jumps: what follows is not
+foreseen by that."""
+
+NEAR = 0.3
+"""Up to this angle (rad) the series of sine and cosine below are exact to rounding."""
+
+
+def brace_limbs(t: Tables, part: float) -> None:
+    """Prepare the limbs for a part (s); let the impulses that are likely act."""
+    if t.bones.sizes[0] == 0:
+        return
+    if not stands(t):
+        gather_masses(t)
+        stand(t)
+    t.bones.sizes[4] = 0
+    for bone in range(t.bones.sizes[1]):
+        t.bones.sum_x[bone] = 0.0
+        t.bones.sum_y[bone] = 0.0
+    for k in range(t.bones.sizes[0]):
+        expect_impulse(t, k, part)
+    lend_all(t)
+    deliver_starts(t)
+
+
+def expect_impulse(t: Tables, k: int, part: float) -> None:
+    """Set what a limb will exert at the start of the part (s), judging by the parts before."""
+    joints = t.joints
+    joint = t.limbs.joint[k]
+    half = t.limbs.sign[k] * part / 2.0
+    lag_x = part * (2.0 * joints.lag_0[joint] - joints.older_0[joint])
+    lag_y = part * (2.0 * joints.lag_1[joint] - joints.older_1[joint])
+    t.limbs.impulse_x[k] = half * (joints.end_0[joint] + lag_x)
+    t.limbs.impulse_y[k] = half * (joints.end_1[joint] + lag_y)
+    t.limbs.given_x[k] = 0.0
+    t.limbs.given_y[k] = 0.0
+
+
+def bind_limbs(t: Tables, part: float) -> float:
+    """Make the hinges hold at the end of the part; return how fast they failed it before.
+
+    That speed is in reaches of the smaller body a second (1/s).
+    """
+    if t.bones.sizes[0] == 0:
+        return 0.0
+    read_means(t)
+    failed = 0.0
+    for step in range(MOST_STEPS):
+        bend(t, part)
+        renewing = step == 0 or step >= CHORDS
+        measure_limbs(t, part, renewing)
+        if step == 0:
+            failed = note_first(t)
+        going, alike = choose_steps(t)
+        if going == 0:
+            break
+        if renewing:
+            resolve(t)
+        if alike:
+            solve_all(t)
+            take_all(t)
+        else:
+            for tree in range(t.bones.sizes[3]):
+                step_tree(t, tree)
+    lend_all(t)
+    deliver_starts(t)
+    return math.sqrt(failed) / part
+
+
+def bend(t: Tables, part: float) -> None:
+    """Find by how much bones move and turn until the end of the part (s)."""
+    bones = t.bones
+    far = False
+    for bone in range(bones.sizes[2]):
+        bones.way_x[bone] = part * (bones.vx[bone] + bones.lent_x[bone])
+        bones.way_y[bone] = part * (bones.vy[bone] + bones.lent_y[bone])
+        angle = part * (bones.spin[bone] + bones.lent_spin[bone])
+        s = angle * angle
+        far = far or s > NEAR * NEAR
+        bones.turn_sin[bone] = angle * (
+            1.0
+            + s
+            * (
+                -1.0 / 6.0
+                + s * (1.0 / 120.0 + s * (-1.0 / 5040.0 + s * (1.0 / 362880.0 - s / 39916800.0)))
+            )
+        )
+        bones.turn_less[bone] = s * (
+            -0.5
+            + s
+            * (
+                1.0 / 24.0
+                + s
+                * (-1.0 / 720.0 + s * (1.0 / 40320.0 + s * (-1.0 / 3628800.0 + s / 479001600.0)))
+            )
+        )
+    if far:
+        for bone in range(bones.sizes[2]):
+            angle = part * (bones.spin[bone] + bones.lent_spin[bone])
+            bones.turn_sin[bone] = math.sin(angle)
+            bones.turn_less[bone] = math.cos(angle) - 1.0
+
+
+def measure_limbs(t: Tables, part: float, aiming: bool) -> None:
+    """Find by how much hinges will gape at the end of the part (s); aim at where they will be."""
+    bones = t.bones
+    limbs = t.limbs
+    trees = t.trees
+    for tree in range(bones.sizes[3]):
+        trees.worst[tree] = 0.0
+    wanted = -1.0 / part
+    for k in range(bones.sizes[0]):
+        parent = limbs.parent[k]
+        tree = limbs.tree[k]
+        sin = bones.turn_sin[k]
+        less = bones.turn_less[k]
+        x = limbs.tip_x[k]
+        y = limbs.tip_y[k]
+        bend_x = less * x - sin * y
+        bend_y = sin * x + less * y
+        gap_x = limbs.gap_x[k] + (bones.way_x[k] - bones.way_x[parent]) + bend_x
+        gap_y = limbs.gap_y[k] + (bones.way_y[k] - bones.way_y[parent]) + bend_y
+        if aiming:
+            limbs.reach_x[k] = x + bend_x
+            limbs.reach_y[k] = y + bend_y
+        sin = bones.turn_sin[parent]
+        less = bones.turn_less[parent]
+        x = limbs.base_x[k]
+        y = limbs.base_y[k]
+        bend_x = less * x - sin * y
+        bend_y = sin * x + less * y
+        gap_x -= bend_x
+        gap_y -= bend_y
+        if aiming:
+            limbs.span_x[k] = x + bend_x
+            limbs.span_y[k] = y + bend_y
+        limbs.rate_x[k] = wanted * gap_x
+        limbs.rate_y[k] = wanted * gap_y
+        size = (gap_x * gap_x + gap_y * gap_y) * limbs.scale[k]
+        if size > trees.worst[tree]:
+            trees.worst[tree] = size
+
+
+def note_first(t: Tables) -> float:
+    """Begin to count steps; return the worst miss of all trees, squared."""
+    trees = t.trees
+    failed = 0.0
+    for tree in range(t.bones.sizes[3]):
+        trees.before[tree] = 1e300
+        if trees.worst[tree] > failed:
+            failed = trees.worst[tree]
+    return failed
+
+
+def choose_steps(t: Tables) -> tuple[int, bool]:
+    """Say what each tree does next; return how many go on, and whether all do a whole step."""
+    trees = t.trees
+    going = 0
+    alike = True
+    for tree in range(t.bones.sizes[3]):
+        worst = trees.worst[tree]
+        trees.share[tree] = 1.0
+        if worst <= TIGHT * TIGHT:
+            trees.does[tree] = DONE
+            alike = False
+            continue
+        going += 1
+        if worst > trees.before[tree]:
+            trees.does[tree] = BACK
+            alike = False
+            continue
+        trees.before[tree] = worst
+        trees.does[tree] = FORWARD
+        if worst > STRIDE * STRIDE:
+            trees.share[tree] = STRIDE / math.sqrt(worst)
+            alike = False
+    return going, alike
+
+
+def take_all(t: Tables) -> None:
+    """Take the steps that were found."""
+    bones = t.bones
+    limbs = t.limbs
+    for bone in range(bones.sizes[1]):
+        bones.lent_x[bone] += bones.step_x[bone]
+        bones.lent_y[bone] += bones.step_y[bone]
+        bones.lent_spin[bone] += bones.step_spin[bone]
+    for k in range(bones.sizes[0]):
+        limbs.impulse_x[k] += limbs.answer_x[k]
+        limbs.impulse_y[k] += limbs.answer_y[k]
+
+
+def step_tree(t: Tables, tree: int) -> None:
+    """Take the next step of one tree."""
+    limbs = t.limbs
+    trees = t.trees
+    if trees.does[tree] == DONE:
+        return
+    first = trees.first[tree]
+    share = trees.share[tree]
+    if trees.does[tree] == FORWARD:
+        for at in range(first, first + trees.limbs[tree]):
+            k = limbs.member[at]
+            limbs.rate_x[k] *= share
+            limbs.rate_y[k] *= share
+        solve_tree(t, tree)
+    for at in range(first, first + trees.limbs[tree]):
+        k = limbs.member[at]
+        step_bone(t, k, trees.does[tree] == BACK)
+        step_limb(t, k, trees.does[tree] == BACK)
+    if trees.root[tree] >= 0:
+        step_bone(t, trees.root[tree], trees.does[tree] == BACK)
+
+
+def step_bone(t: Tables, bone: int, back: bool) -> None:
+    """Take the step of a bone, or half the last one back."""
+    bones = t.bones
+    if back:
+        bones.step_x[bone] *= -0.5
+        bones.step_y[bone] *= -0.5
+        bones.step_spin[bone] *= -0.5
+    bones.lent_x[bone] += bones.step_x[bone]
+    bones.lent_y[bone] += bones.step_y[bone]
+    bones.lent_spin[bone] += bones.step_spin[bone]
+    if back:
+        bones.step_x[bone] = -bones.step_x[bone]
+        bones.step_y[bone] = -bones.step_y[bone]
+        bones.step_spin[bone] = -bones.step_spin[bone]
+
+
+def step_limb(t: Tables, k: int, back: bool) -> None:
+    """The same for the impulse of a limb."""
+    limbs = t.limbs
+    if back:
+        limbs.answer_x[k] /= 2.0
+        limbs.answer_y[k] /= 2.0
+        limbs.impulse_x[k] -= limbs.answer_x[k]
+        limbs.impulse_y[k] -= limbs.answer_y[k]
+    else:
+        limbs.impulse_x[k] += limbs.answer_x[k]
+        limbs.impulse_y[k] += limbs.answer_y[k]
+
+
+def keep_limb_impulses(t: Tables, part: float) -> None:
+    """Note what the limbs exert at the start of the part (s), once that is settled."""
+    joints = t.joints
+    limbs = t.limbs
+    twice = 2.0 / part
+    for k in range(t.bones.sizes[0]):
+        joint = limbs.joint[k]
+        add_up_limb(t, k)
+        x = limbs.sign[k] * limbs.impulse_x[k]
+        y = limbs.sign[k] * limbs.impulse_y[k]
+        joints.impulse_0[joint] = x
+        joints.impulse_1[joint] = y
+        joints.older_0[joint] = joints.lag_0[joint]
+        joints.older_1[joint] = joints.lag_1[joint]
+        lag_x = twice * x - joints.end_0[joint]
+        lag_y = twice * y - joints.end_1[joint]
+        if lag_x * lag_x + lag_y * lag_y > JUMP * twice * twice * (x * x + y * y):
+            lag_x = lag_y = 0.0
+        joints.lag_0[joint] = lag_x / part
+        joints.lag_1[joint] = lag_y / part
+
+
+def prepare_limbs(t: Tables) -> None:
+    """Prepare the limbs for the end of a part, where their bodies are now."""
+    if t.bones.sizes[0] == 0:
+        return
+    stand(t)
+    resolve(t)
+    t.bones.sizes[4] = 1
+    limbs = t.limbs
+    for k in range(t.bones.sizes[0]):
+        limbs.impulse_x[k] = 0.0
+        limbs.impulse_y[k] = 0.0
+        limbs.given_x[k] = 0.0
+        limbs.given_y[k] = 0.0
+
+
+def ease_limbs(t: Tables) -> float:
+    """Make velocities obey the hinges; return how fast they did not before (1/s)."""
+    if t.bones.sizes[0] == 0:
+        return 0.0
+    read_ends(t)
+    failed = find_hinge_rates(t)
+    solve_all(t)
+    limbs = t.limbs
+    for k in range(t.bones.sizes[0]):
+        limbs.impulse_x[k] += limbs.answer_x[k]
+        limbs.impulse_y[k] += limbs.answer_y[k]
+    lend_all(t)
+    deliver_ends(t)
+    return math.sqrt(failed)
+
+
+def find_hinge_rates(t: Tables) -> float:
+    """Want all hinges to open no more; return the fastest, in sizes of joints a second, squared."""
+    limbs = t.limbs
+    worst = 0.0
+    for k in range(t.bones.sizes[0]):
+        find_hinge_rate(t, k)
+        x = limbs.rate_x[k]
+        y = limbs.rate_y[k]
+        size = (x * x + y * y) * limbs.scale[k]
+        if size > worst:
+            worst = size
+    return worst
+
+
+def find_hinge_rate(t: Tables, k: int) -> None:
+    """Want a hinge to open no more."""
+    bones = t.bones
+    limbs = t.limbs
+    parent = limbs.parent[k]
+    limbs.rate_x[k] = (bones.vx[parent] - bones.spin[parent] * limbs.lever_y[k]) - (
+        bones.vx[k] - bones.spin[k] * limbs.arm_y[k]
+    )
+    limbs.rate_y[k] = (bones.vy[parent] + bones.spin[parent] * limbs.lever_x[k]) - (
+        bones.vy[k] + bones.spin[k] * limbs.arm_x[k]
+    )
+
+
+def keep_limb_ends(t: Tables, part: float, done: float) -> None:
+    """Note what the limbs exert at the end of a part (s), of which the share `done` has passed."""
+    joints = t.joints
+    limbs = t.limbs
+    for k in range(t.bones.sizes[0]):
+        joint = limbs.joint[k]
+        add_up_limb(t, k)
+        x = limbs.sign[k] * limbs.impulse_x[k]
+        y = limbs.sign[k] * limbs.impulse_y[k]
+        if done < 1.0:
+            x = joints.impulse_0[joint]
+            y = joints.impulse_1[joint]
+        joints.end_0[joint] = 2.0 * x / part
+        joints.end_1[joint] = 2.0 * y / part

@@ -1,0 +1,288 @@
+"""Trees of hinged bodies: which impulses change the velocities of all hinges as wanted.
+
+A tree is eliminated from its tips to its root (Baraff, "Linear-time dynamics using Lagrange
+multipliers", 1996; the masses are the articulated-body inertias of Featherstone, "The calculation
+of robot dynamics using articulated-body inertias", 1983). An impulse P acts at the arm r of a
+child, and what is wanted is the velocity u of its point q: at an instant the two are the same; a
+part of a tick exerts its impulses at its start, and hinges are to hold at its end (`limb_motion`),
+so that the equations are not symmetric. Child and all that hangs on it resist with
+
+    A v + b w = P + F,    c . v + d w = r x P + Q    (velocity v, spin w; F, Q: by what hangs on it).
+
+With u = v + w k x q, b' = b - A (k x q), c' = c - A^T (k x r), T = d - c . (k x q) - (k x r) . b',
+
+    w = (Q - r x F - c' . u)/T,    P = K u + b' (Q - r x F)/T - F,    K = A - b' c'^T/T:
+
+one division a hinge. The parent bears K at its end of the hinge. A free root is solved for last.
+The cost is in proportion to the number of hinges, also where many of them sit on one body.
+"""
+
+import math
+
+from engine.tables import Tables
+
+
+def gather_masses(t: Tables) -> None:
+    """Read what the bodies resist with."""
+    bones = t.bones
+    bodies = t.bodies
+    for bone in range(bones.sizes[1]):
+        row = bones.body[bone]
+        bones.inverse_mass[bone] = bodies.inverse_mass[row]
+        bones.inverse_inertia[bone] = bodies.inverse_inertia[row]
+        bones.mass[bone] = bodies.mass[row]
+        bones.inertia[bone] = bodies.inertia[row] if bodies.inverse_inertia[row] > 0.0 else 0.0
+
+
+def stand(t: Tables) -> None:
+    """Place all bones where their bodies are now, and the limbs."""
+    bones = t.bones
+    bodies = t.bodies
+    for bone in range(bones.sizes[2]):
+        row = bones.body[bone]
+        if row >= 0:
+            place_bone(t, bone, bodies.x[row], bodies.y[row], bodies.angle[row])
+        else:
+            place_bone(t, bone, 0.0, 0.0, 0.0)
+    for k in range(bones.sizes[0]):
+        place_limb(t, k)
+
+
+def stands(t: Tables) -> bool:
+    """Whether the limbs are placed for the poses and the masses that the bodies have."""
+    bones = t.bones
+    bodies = t.bodies
+    if bones.sizes[4] == 0:
+        return False
+    for bone in range(bones.sizes[2]):
+        row = bones.body[bone]
+        if row >= 0 and (
+            bones.x[bone] != bodies.x[row]
+            or bones.y[bone] != bodies.y[row]
+            or bones.angle[bone] != bodies.angle[row]
+            or bones.inverse_mass[bone] != bodies.inverse_mass[row]
+            or bones.inverse_inertia[bone] != bodies.inverse_inertia[row]
+        ):
+            return False
+    return True
+
+
+def place_bone(t: Tables, bone: int, x: float, y: float, angle: float) -> None:
+    """Put a bone into a pose (m, rad)."""
+    bones = t.bones
+    bones.x[bone] = x
+    bones.y[bone] = y
+    bones.angle[bone] = angle
+    bones.cos[bone] = math.cos(angle)
+    bones.sin[bone] = math.sin(angle)
+
+
+def place_limb(t: Tables, k: int) -> None:
+    """Find where the hinge is on both bones that have been placed, and where its impulse acts."""
+    bones = t.bones
+    limbs = t.limbs
+    parent = limbs.parent[k]
+    cos = bones.cos[k]
+    sin = bones.sin[k]
+    x = limbs.child_x[k]
+    y = limbs.child_y[k]
+    tip_x = cos * x - sin * y
+    tip_y = sin * x + cos * y
+    cos = bones.cos[parent]
+    sin = bones.sin[parent]
+    x = limbs.parent_x[k]
+    y = limbs.parent_y[k]
+    base_x = cos * x - sin * y
+    base_y = sin * x + cos * y
+    gap_x = (bones.x[k] + tip_x) - (bones.x[parent] + base_x)
+    gap_y = (bones.y[k] + tip_y) - (bones.y[parent] + base_y)
+    limbs.tip_x[k] = tip_x
+    limbs.tip_y[k] = tip_y
+    limbs.base_x[k] = base_x
+    limbs.base_y[k] = base_y
+    limbs.gap_x[k] = gap_x
+    limbs.gap_y[k] = gap_y
+    half_x = gap_x / 2.0
+    half_y = gap_y / 2.0
+    limbs.arm_x[k] = limbs.reach_x[k] = tip_x - half_x
+    limbs.arm_y[k] = limbs.reach_y[k] = tip_y - half_y
+    limbs.lever_x[k] = limbs.span_x[k] = base_x + half_x
+    limbs.lever_y[k] = limbs.span_y[k] = base_y + half_y
+
+
+def resolve(t: Tables) -> None:
+    """Eliminate all limbs, from the tips to the roots."""
+    for bone in range(t.bones.sizes[2]):
+        load_alone(t, bone)
+    for k in range(t.bones.sizes[0]):
+        eliminate(t, k)
+
+
+def load_alone(t: Tables, bone: int) -> None:
+    """Let a bone bear nothing but its body."""
+    bones = t.bones
+    bones.xx[bone] = bones.mass[bone]
+    bones.yy[bone] = bones.mass[bone]
+    bones.tt[bone] = bones.inertia[bone]
+    bones.xy[bone] = 0.0
+    bones.yx[bone] = 0.0
+    bones.xt[bone] = 0.0
+    bones.yt[bone] = 0.0
+    bones.tx[bone] = 0.0
+    bones.ty[bone] = 0.0
+
+
+def eliminate(t: Tables, k: int) -> None:
+    """Find what resists the motion of a hinge, and let the parent bear it."""
+    bones = t.bones
+    limbs = t.limbs
+    xx = bones.xx[k]
+    xy = bones.xy[k]
+    yx = bones.yx[k]
+    yy = bones.yy[k]
+    x = limbs.reach_x[k]
+    y = limbs.reach_y[k]
+    lean_x = bones.xt[k] + xx * y - xy * x
+    lean_y = bones.yt[k] + yx * y - yy * x
+    turning = bones.tt[k] + bones.tx[k] * y - bones.ty[k] * x
+    x = limbs.arm_x[k]
+    y = limbs.arm_y[k]
+    turning += lean_x * y - lean_y * x
+    ease = 1.0 / turning if bones.inverse_inertia[k] > 0.0 and turning > 0.0 else 0.0
+    sway_x = (bones.tx[k] + xx * y - yx * x) * ease
+    sway_y = (bones.ty[k] + xy * y - yy * x) * ease
+    xx -= lean_x * sway_x
+    xy -= lean_x * sway_y
+    yx -= lean_y * sway_x
+    yy -= lean_y * sway_y
+    limbs.ease[k] = ease
+    limbs.sway_x[k] = sway_x
+    limbs.sway_y[k] = sway_y
+    limbs.lean_x[k] = lean_x * ease
+    limbs.lean_y[k] = lean_y * ease
+    limbs.xx[k] = xx
+    limbs.xy[k] = xy
+    limbs.yx[k] = yx
+    limbs.yy[k] = yy
+    bear(t, k, xx, xy, yx, yy)
+
+
+def bear(t: Tables, k: int, xx: float, xy: float, yx: float, yy: float) -> None:
+    """Let the parent bear what resists the motion of a hinge (kg)."""
+    bones = t.bones
+    limbs = t.limbs
+    parent = limbs.parent[k]
+    x = limbs.span_x[k]
+    y = limbs.span_y[k]
+    both_x = xy * x - xx * y
+    both_y = yy * x - yx * y
+    bones.xx[parent] += xx
+    bones.xy[parent] += xy
+    bones.yx[parent] += yx
+    bones.yy[parent] += yy
+    bones.xt[parent] += both_x
+    bones.yt[parent] += both_y
+    x = limbs.lever_x[k]
+    y = limbs.lever_y[k]
+    bones.tx[parent] += yx * x - xx * y
+    bones.ty[parent] += yy * x - xy * y
+    bones.tt[parent] += both_y * x - both_x * y
+
+
+def solve_all(t: Tables) -> None:
+    """Find the impulses that change the velocities of all hinges as wanted."""
+    sizes = t.bones.sizes
+    for bone in range(sizes[2]):
+        rest(t, bone)
+    for k in range(sizes[0]):
+        push_parent(t, k)
+    for bone in range(sizes[0], sizes[1]):
+        move_root(t, bone)
+    for k in range(sizes[0] - 1, -1, -1):
+        move_child(t, k)
+
+
+def solve_tree(t: Tables, tree: int) -> None:
+    """The same for one tree."""
+    first = t.trees.first[tree]
+    end = first + t.trees.limbs[tree]
+    member = t.limbs.member
+    rest(t, t.limbs.parent[member[end - 1]])
+    for at in range(first, end):
+        rest(t, member[at])
+    for at in range(first, end):
+        push_parent(t, member[at])
+    if t.trees.root[tree] >= 0:
+        move_root(t, t.trees.root[tree])
+    for at in range(end - 1, first - 1, -1):
+        move_child(t, member[at])
+
+
+def rest(t: Tables, bone: int) -> None:
+    """Let nothing push a bone."""
+    bones = t.bones
+    bones.push_x[bone] = 0.0
+    bones.push_y[bone] = 0.0
+    bones.push_turn[bone] = 0.0
+
+
+def push_parent(t: Tables, k: int) -> None:
+    """Find the impulse of a hinge as if the parent did not move; let the parent feel it."""
+    bones = t.bones
+    limbs = t.limbs
+    x = bones.push_x[k]
+    y = bones.push_y[k]
+    turn = bones.push_turn[k] + x * limbs.arm_y[k] - y * limbs.arm_x[k]
+    bones.push_turn[k] = turn
+    rate_x = limbs.rate_x[k]
+    rate_y = limbs.rate_y[k]
+    x = limbs.xx[k] * rate_x + limbs.xy[k] * rate_y + limbs.lean_x[k] * turn - x
+    y = limbs.yx[k] * rate_x + limbs.yy[k] * rate_y + limbs.lean_y[k] * turn - y
+    limbs.free_x[k] = x
+    limbs.free_y[k] = y
+    parent = limbs.parent[k]
+    bones.push_x[parent] -= x
+    bones.push_y[parent] -= y
+    bones.push_turn[parent] -= limbs.lever_x[k] * y - limbs.lever_y[k] * x
+
+
+def move_root(t: Tables, bone: int) -> None:
+    """Find how a free root moves by what hangs on it."""
+    bones = t.bones
+    ease = 1.0 / bones.tt[bone] if bones.inverse_inertia[bone] > 0.0 else 0.0
+    sway_x = bones.tx[bone] * ease
+    sway_y = bones.ty[bone] * ease
+    xx = bones.xx[bone] - bones.xt[bone] * sway_x
+    xy = bones.xy[bone] - bones.xt[bone] * sway_y
+    yx = bones.yx[bone] - bones.yt[bone] * sway_x
+    yy = bones.yy[bone] - bones.yt[bone] * sway_y
+    turn = bones.push_turn[bone] * ease
+    x = bones.push_x[bone] - bones.xt[bone] * turn
+    y = bones.push_y[bone] - bones.yt[bone] * turn
+    scale = xx * yy - xy * yx
+    step_x = 0.0
+    step_y = 0.0
+    if scale > 0.0:
+        step_x = (yy * x - xy * y) / scale
+        step_y = (xx * y - yx * x) / scale
+    bones.step_x[bone] = step_x
+    bones.step_y[bone] = step_y
+    bones.step_spin[bone] = turn - sway_x * step_x - sway_y * step_y
+
+
+def move_child(t: Tables, k: int) -> None:
+    """Find the impulse of a hinge and how the child moves, now that the parent does."""
+    bones = t.bones
+    limbs = t.limbs
+    parent = limbs.parent[k]
+    spin = bones.step_spin[parent]
+    x = bones.step_x[parent] - spin * limbs.span_y[k]
+    y = bones.step_y[parent] + spin * limbs.span_x[k]
+    limbs.answer_x[k] = limbs.free_x[k] + limbs.xx[k] * x + limbs.xy[k] * y
+    limbs.answer_y[k] = limbs.free_y[k] + limbs.yx[k] * x + limbs.yy[k] * y
+    x += limbs.rate_x[k]
+    y += limbs.rate_y[k]
+    spin = limbs.ease[k] * bones.push_turn[k] - limbs.sway_x[k] * x - limbs.sway_y[k] * y
+    bones.step_x[k] = x + spin * limbs.reach_y[k]
+    bones.step_y[k] = y - spin * limbs.reach_x[k]
+    bones.step_spin[k] = spin
