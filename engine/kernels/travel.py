@@ -297,7 +297,7 @@ def look_again(t: Tables, row: int, time: float, part: float, queued: int, stric
 def look_at_joined(
     t: Tables, a: int, b: int, time: float, part: float, queued: int, strict: bool
 ) -> int:
-    """Find anew, after an impact of a and b at `time` (s), when what the joints moved meets others."""
+    """Find anew, after an impact of a and b at `time` (s), when what joints moved meets others."""
     tree_a = tree_at(t, a)
     tree_b = tree_at(t, b)
     if tree_a >= 0:

@@ -7,7 +7,7 @@ child, and what is wanted is the velocity u of its point q: at an instant the tw
 part of a tick exerts its impulses at its start, and hinges are to hold at its end (`limb_motion`),
 so that the equations are not symmetric. Child and all that hangs on it resist with
 
-    A v + b w = P + F,    c . v + d w = r x P + Q    (velocity v, spin w; F, Q: by what hangs on it).
+    A v + b w = P + F,    c . v + d w = r x P + Q    (velocity v, spin w; F, Q: of what hangs on it)
 
 With u = v + w k x q, b' = b - A (k x q), c' = c - A^T (k x r), T = d - c . (k x q) - (k x r) . b',
 
