@@ -14,6 +14,16 @@ from typing import Any, get_type_hints
 import numpy as np
 from llvmlite import ir
 from numba import njit, types
+from numba.core.codegen import JITCodeLibrary
+from numba.core.compiler import CompilerBase, PassManager
+from numba.core.typed_passes import (
+    IRLegalization,
+    NativeLowering,
+    NoPythonBackend,
+    NopythonTypeInference,
+    PreLowerStripPhis,
+)
+from numba.core.untyped_passes import FixupArgs, IRProcessing, ReconstructSSA, TranslateByteCode
 from numba.core.typing.templates import (
     AbstractTemplate,
     AttributeTemplate,
@@ -242,9 +252,81 @@ PLAIN = {"error_model": "numpy", "_nrt": False}
 """Options of all compiled functions: nothing raises, nothing is counted."""
 
 
+class Ingredient(JITCodeLibrary):
+    """Code of one kernel, which becomes machine code only as part of the outermost function.
+
+    Numba would link every kernel with all that it calls, optimise the whole and translate it, again
+    and again on every level of calls, though nobody ever calls a kernel but another one.
+    """
+
+    def finalize(self) -> None:
+        """Leave the code as it is."""
+        self._finalized = True
+
+    def _get_module_for_linking(self) -> Any:
+        """The code of this kernel and of all that it calls, each once."""
+        if self._shared_module is None:
+            linked = {self}
+            waiting = [self]
+            while waiting:
+                for library in waiting.pop()._linking_libraries:
+                    if library not in linked:
+                        linked.add(library)
+                        if isinstance(library, Ingredient):
+                            waiting.append(library)
+                            library = library._final_module
+                        else:
+                            library = library._get_module_for_linking()
+                        self._final_module.link_in(library, preserve=True)
+            super()._get_module_for_linking()
+        return self._shared_module
+
+    def get_pointer_to_function(self, name: str) -> int:
+        """None: nobody calls it by itself."""
+        return 0
+
+    @property
+    def codegen(self) -> Any:
+        """What would tell the code of its Python environment, which kernels have not."""
+        return self
+
+    def set_env(self, name: str, env: Any) -> None:
+        """Do nothing."""
+
+
+PASSES = (
+    TranslateByteCode,
+    FixupArgs,
+    IRProcessing,
+    ReconstructSSA,
+    NopythonTypeInference,
+    PreLowerStripPhis,
+    IRLegalization,
+    NativeLowering,
+    NoPythonBackend,
+)
+"""What turns a kernel into code: numba's passes without those for what no kernel has."""
+
+
+class Preparing(CompilerBase):
+    """Compiles a kernel up to code that is to be linked."""
+
+    def define_pipelines(self) -> Any:
+        """Let it become an `Ingredient`."""
+        codegen = self.state.targetctx.codegen()
+        self.state.library = Ingredient(codegen, self.state.func_id.func_qualname)
+        passes = PassManager("kernels")
+        for each in PASSES:
+            passes.add_pass(each, each._name)
+        passes.finalize()
+        return [passes]
+
+
 def let_kernels_call(function: Any) -> None:
     """Let compiled functions call a kernel."""
-    register_jitable(no_cpython_wrapper=True, no_cfunc_wrapper=True, **PLAIN)(function)
+    register_jitable(
+        pipeline_class=Preparing, no_cpython_wrapper=True, no_cfunc_wrapper=True, **PLAIN
+    )(function)
 
 
 def entry(sources: str) -> Callable[[int, float, int], int]:
