@@ -10,6 +10,10 @@ if TYPE_CHECKING:
     from engine.body import Body
 
 
+_row = tuple.__new__
+"""Makes named tuples in half the time that their classes take."""
+
+
 class Collision(NamedTuple):
     """One impact of two bodies: they met with some speed and were turned back."""
 
@@ -38,19 +42,25 @@ def read(impacts: Impacts, handles: Sequence["Body"]) -> list[Collision]:
     """
     number = impacts.written[0]
     impacts.written[0] = 0
+    columns = [column[:number] for column in impacts[:-1]]
     return [
-        Collision(
-            a=handles[impacts.a[i]],
-            b=handles[impacts.b[i]],
-            point=Vector(impacts.x[i], impacts.y[i]),
-            normal=Vector(impacts.normal_x[i], impacts.normal_y[i]),
-            impulse=Vector(impacts.impulse_x[i], impacts.impulse_y[i]),
-            speed=impacts.speed[i],
-            restitution=impacts.restitution[i],
-            time=impacts.time[i],
+        _row(
+            Collision,
+            (
+                handles[a],
+                handles[b],
+                _row(Vector, (x, y)),
+                _row(Vector, (normal_x, normal_y)),
+                _row(Vector, (impulse_x, impulse_y)),
+                speed,
+                restitution,
+                time,
+            ),
         )
-        for i in range(number)
-    ]
+        for (
+            a, b, x, y, normal_x, normal_y, impulse_x, impulse_y, speed, restitution, time,
+        ) in zip(*columns, strict=True)
+    ]  # fmt: skip
 
 
 class Diverged(ArithmeticError):

@@ -34,6 +34,7 @@ def set_off(store: "Store", row: int, velocity: Vector, spin: float, substeps: i
     x, y = velocity.x - bodies.vx[row], velocity.y - bodies.vy[row]
     turn = spin - bodies.spin[row]
     bodies.vx[row], bodies.vy[row], bodies.spin[row] = velocity.x, velocity.y, spin
+    t.progress.straight[0] = 0
     if bodies.inverse_mass[row] > 0.0:
         return
     store.wake_all()

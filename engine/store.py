@@ -130,7 +130,7 @@ class Store:
         for name, rows in zip(("bodies", "pieces", "corners"), ends, strict=True):
             self.make_room(name, rows)
             getattr(self.tables.counts, name)[0] = rows
-        self.make_room("grid", 2 * ends[1])
+        self.make_room("grid", 4 * ends[1])
         write_body(self.tables, shape, body.id, row, piece, corner, values)
         self.handles.append(body)
         self.rows[body.id] = row
@@ -356,7 +356,7 @@ class Store:
     def restore(self, snapshot: Snapshot) -> None:
         """Go back to what a snapshot holds."""
         self.before = None
-        self.make_room("grid", 2 * len(snapshot.tables["pieces"][0]))
+        self.make_room("grid", 4 * len(snapshot.tables["pieces"][0]))
         self.make_room_for_pairs(len(snapshot.tables["pairs"][0]))
         for name, saved in snapshot.tables.items():
             rows = len(saved[0])
@@ -370,6 +370,7 @@ class Store:
         self.list_fields()
         self.joints = list(snapshot.joints)
         self.tables.state.loose[0] = 1
+        self.tables.progress.straight[0] = 0
 
     def digest(self) -> str:
         """Hash of the state (SHA-256, hexadecimal): equal for equal worlds on any machine."""

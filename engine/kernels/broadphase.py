@@ -6,7 +6,7 @@ and pairs in it that do not touch have no effect: results do not depend on how p
 
 from engine.kernels.pose import put
 from engine.kernels.resting import KEEPING
-from engine.kernels.travel import farthest, farthest_turn, turns_out
+from engine.kernels.travel import MOST, farthest, farthest_turn, turns_out
 from engine.tables import Bodies, Pieces, Tables
 
 SLACK = 0.2
@@ -15,42 +15,76 @@ SLACK = 0.2
 TICKS_AHEAD = 3.0
 """Margin as a share of the way of one tick."""
 
+OTHERS_AHEAD = 10.0
+"""Margin as a share of the mean way of all bodies: a slow one may be hit by a fast one."""
+
+MOST_AHEAD = 1.0
+"""That margin at most, as a share of the reach."""
+
 TURN_SLACK = 0.2
 """How far a body of several pieces may turn besides (rad)."""
 
 
-def holds(t: Tables, count: int, dt: float) -> bool:
-    """Whether every body stays in its box during a tick of `dt` seconds (see `has_escaped`)."""
+def look_ahead(t: Tables, count: int, dt: float) -> tuple[int, int]:
+    """How many bodies leave the range of numbers in a tick of `dt` seconds (see `runaway`), and how
+    many may leave their boxes (see `has_escaped`).
+
+    All conditions are looked at for every body, without a choice, so that a processor can look at
+    several bodies at once.
+    """
     bodies = t.bodies
     moves = bodies.moves
     x = bodies.x
     y = bodies.y
+    vx = bodies.vx
+    vy = bodies.vy
+    ax = bodies.ax
+    ay = bodies.ay
+    spin = bodies.spin
+    aspin = bodies.aspin
+    angle = bodies.angle
+    reach = bodies.reach
+    low_x = bodies.low_x
+    high_x = bodies.high_x
+    low_y = bodies.low_y
+    high_y = bodies.high_y
+    lost = 0
+    escaping = 0
     for row in range(count):
-        if moves[row] == 0:
-            continue
-        reach = bodies.reach[row] * (1.0 + 2.0 * KEEPING)
-        way_x = reach + (abs(bodies.vx[row]) + abs(bodies.ax[row]) * dt) * dt
-        way_y = reach + (abs(bodies.vy[row]) + abs(bodies.ay[row]) * dt) * dt
-        if (
-            x[row] - way_x < bodies.low_x[row]
-            or x[row] + way_x > bodies.high_x[row]
-            or y[row] - way_y < bodies.low_y[row]
-            or y[row] + way_y > bodies.high_y[row]
-            or (bodies.pieces[row] > 1 and turns_out(bodies, row, dt))
-        ):
-            return False
-    return True
+        here_x = x[row]
+        here_y = y[row]
+        way_x = (abs(vx[row]) + abs(ax[row]) * dt) * dt
+        way_y = (abs(vy[row]) + abs(ay[row]) * dt) * dt
+        turn = (abs(spin[row]) + abs(aspin[row]) * dt) * dt
+        far = abs(here_x) + abs(here_y) + abs(angle[row]) + way_x + way_y + turn
+        lost += not far < MOST
+        room = reach[row] * (1.0 + 2.0 * KEEPING)
+        escaping += (moves[row] == 1) & (
+            (here_x - room - way_x < low_x[row])
+            | (here_x + room + way_x > high_x[row])
+            | (here_y - room - way_y < low_y[row])
+            | (here_y + room + way_y > high_y[row])
+        )
+    if t.counts.pieces[0] > count:
+        for row in range(count):
+            if bodies.pieces[row] > 1 and moves[row] == 1 and turns_out(bodies, row, dt):
+                escaping += 1
+    return lost, escaping
 
 
 def fit_boxes(t: Tables, count: int, dt: float) -> None:
     """Draw boxes with a margin around the ways of every body and piece in `dt` seconds."""
     bodies = t.bodies
+    ahead = OTHERS_AHEAD * mean_way(bodies, count, dt)
     for row in range(count):
         if bodies.moves[row] == 1:
+            reach = bodies.reach[row]
             way_x, way_y = farthest(t, row, dt)
-            slack = SLACK * bodies.reach[row]
-            way_x += slack + TICKS_AHEAD * (way_x - bodies.reach[row])
-            way_y += slack + TICKS_AHEAD * (way_y - bodies.reach[row])
+            shared = ahead if ahead < MOST_AHEAD * reach else MOST_AHEAD * reach
+            own = TICKS_AHEAD * (way_x - reach)
+            way_x += SLACK * reach + (own if own > shared else shared)
+            own = TICKS_AHEAD * (way_y - reach)
+            way_y += SLACK * reach + (own if own > shared else shared)
             bodies.low_x[row] = bodies.x[row] - way_x
             bodies.high_x[row] = bodies.x[row] + way_x
             bodies.low_y[row] = bodies.y[row] - way_y
@@ -64,6 +98,17 @@ def fit_boxes(t: Tables, count: int, dt: float) -> None:
                 bodies.first_piece[row], bodies.first_piece[row] + bodies.pieces[row]
             ):
                 fit_still(t, piece)
+
+
+def mean_way(bodies: Bodies, count: int, dt: float) -> float:
+    """How far a body that moves goes in `dt` seconds along an axis, in the mean (m)."""
+    total = 0.0
+    moving = 0
+    for row in range(count):
+        if bodies.moves[row] == 1:
+            total += abs(bodies.vx[row]) + abs(bodies.vy[row])
+            moving += 1
+    return total / (2.0 * moving) * dt if moving > 0 else 0.0
 
 
 def box_as_body(bodies: Bodies, pieces: Pieces, piece: int, row: int) -> None:

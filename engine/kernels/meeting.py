@@ -19,6 +19,10 @@ ZERO_GAP = 1e-10
 """Gap that counts as touching, as a share of the smaller body's reach."""
 
 
+CLEAR = 1e-4
+"""Gap that straight flights keep as long as they are foreseen to be clear, as a share of the
+smaller body's reach: far more than any rounding, and more than what comes to rest."""
+
 NOWHERE = -1e300
 """Speed of approach of bodies that have no point to touch at (m/s)."""
 
@@ -72,6 +76,30 @@ def find_meetings(t: Tables, pair_count: int, part: float) -> int:
     return queued
 
 
+def foresee_meetings(t: Tables, pair_count: int, part: float) -> int:
+    """The same where all fly straight: what was once found to stay clear needs no other look."""
+    pairs = t.pairs
+    state = pairs.state
+    clear = pairs.clear
+    one_sided = t.pieces.one_sided
+    queued = 0
+    for pair in range(pair_count):
+        left = clear[pair] - part
+        if left > 0.0:
+            clear[pair] = left
+            continue
+        if state[pair] != FREE:
+            continue
+        if one_sided[pairs.piece_a[pair]] == 1 or one_sided[pairs.piece_b[pair]] == 1:
+            notice_passing(t, pair)
+        find_meeting(t, pair, 0.0, part)
+        if pairs.meeting[pair] < NEVER:
+            pairs.queue[queued] = pair
+            pairs.queued[pair] = 1
+            queued += 1
+    return queued
+
+
 def find_meeting(t: Tables, pair: int, start: float, end: float) -> None:
     """Set when the pair meets in the part of the tick from `start` to `end` (s), and how fast.
 
@@ -80,8 +108,10 @@ def find_meeting(t: Tables, pair: int, start: float, end: float) -> None:
     pairs = t.pairs
     pairs.meeting[pair] = NEVER
     pairs.apart[pair] = 0.0
+    pairs.clear[pair] = 0.0
     if pairs.state[pair] != FREE:
         return
+    straight = t.progress.straight[0] == 1
     bodies = t.bodies
     a = pairs.a[pair]
     b = pairs.b[pair]
@@ -108,6 +138,8 @@ def find_meeting(t: Tables, pair: int, start: float, end: float) -> None:
             - bodies.y[a] - (bodies.vy[a] + path_ay * from_a / 2.0) * from_a
         )  # fmt: skip
         reach = bodies.reach[a] + bodies.reach[b]
+        if straight and stays_clear(t, pair, circles_meet(t, pair, x, y, vx, vy, reach) - lasts):
+            return
         far = reach + bound * lasts
         if x * x + y * y > far * far:
             pairs.apart[pair] = math.sqrt(x * x + y * y) - far
@@ -116,6 +148,8 @@ def find_meeting(t: Tables, pair: int, start: float, end: float) -> None:
             discs_meet(t, pair, start, end, x, y, vx, vy, reach)
             return
     else:
+        if straight and stays_clear(t, pair, circle_meets_wall(t, pair, wall, start) - lasts):
+            return
         room = room_at_wall(t, wall, a + b - t.pieces.body[wall], start, bound * lasts)
         if room > 0.0:
             pairs.apart[pair] = room
@@ -125,6 +159,47 @@ def find_meeting(t: Tables, pair: int, start: float, end: float) -> None:
     search(t, pair, start, end, bound)
     if pairs.meeting[pair] < NEVER and slides_over(t, pair, pairs.speed[pair], end - start):
         pairs.meeting[pair] = NEVER
+
+
+def stays_clear(t: Tables, pair: int, lasts: float) -> bool:
+    """Whether a pair does not meet until the end of the part and, then, for `lasts` seconds."""
+    if lasts <= 0.0:
+        return False
+    t.pairs.clear[pair] = lasts
+    t.pairs.apart[pair] = CLEAR * t.pairs.size[pair]
+    return True
+
+
+def circles_meet(
+    t: Tables, pair: int, x: float, y: float, vx: float, vy: float, reach: float
+) -> float:
+    """Time (s) until the bounding circles of two bodies, flying straight, are nearly as close as
+    their radii allow; 0 if they are, `NEVER` if they never will be.
+    """
+    near = reach + CLEAR * t.pairs.size[pair]
+    room = x * x + y * y - near * near
+    if room <= 0.0:
+        return 0.0
+    closing = x * vx + y * vy
+    root = closing * closing - (vx * vx + vy * vy) * room
+    if closing >= 0.0 or root <= 0.0:
+        return NEVER
+    return room / (math.sqrt(root) - closing)
+
+
+def circle_meets_wall(t: Tables, pair: int, wall: int, start: float) -> float:
+    """The same for a body and the line of a wall."""
+    bodies = t.bodies
+    body = t.pairs.a[pair] + t.pairs.b[pair] - t.pieces.body[wall]
+    first = t.pieces.first[wall]
+    room = room_at_wall(t, wall, body, start, CLEAR * t.pairs.size[pair])
+    if room <= 0.0:
+        return 0.0
+    closing = t.corners.world_normal_x[first] * bodies.vx[body]
+    closing += t.corners.world_normal_y[first] * bodies.vy[body]
+    if height_above(t, wall, bodies.x[body], bodies.y[body]) < 0.0:
+        closing = -closing  # the first side of a wall is its negative one
+    return room / closing if closing > 0.0 else NEVER
 
 
 def slides_over(t: Tables, pair: int, speed: float, lasts: float) -> bool:

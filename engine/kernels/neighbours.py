@@ -4,7 +4,8 @@ The grid has squares as large as the largest piece, a few aside that are larger 
 compared with all. A piece belongs to the square in which its box has its centre, so that boxes
 which overlap belong to the same or to neighbouring squares. Squares are kept by a hash of their
 column and row (as in Teschner and others, "Optimized Spatial Hashing", 2003): the world has no
-borders.
+borders. Boxes are sorted by squares (by counting), so that those of a square, and of one above the
+other, stand side by side in memory.
 """
 
 import math
@@ -22,11 +23,12 @@ LARGE_SHARE = 64
 LEAST = 1e-12
 """Side of squares at least, and the inverse of the most (m)."""
 
-NOBODY, LARGER = -1, -2
-"""In `Grid.following`: the last piece of a square; one that is larger than squares."""
+LARGER = -1
+"""In `Grid.square`: a piece that is larger than squares."""
 
-FALLBACK_STRIDE = 1000003
-"""Numbers from one column to the next in a world that is too high for its squares."""
+SCATTER = 0.382
+"""Numbers from one column to the next in a world that is too high for its squares, as a share of
+their number: the golden section spreads columns evenly."""
 
 FARTHEST = 1e12
 """Columns and rows end there (squares): what is beyond belongs to the last ones."""
@@ -45,21 +47,24 @@ def find_neighbours(t: Tables, pieces: int, room: int) -> int:
     return found
 
 
-def may_touch(t: Tables, a: int, b: int) -> bool:
-    """Whether two pieces have to be watched: their boxes overlap, and one of them can be moved,
-    and no filter (see `filters`) lets one pass through the other. The body of a stands before that
-    of b or is the same.
-    """
+def overlap(t: Tables, a: int, b: int) -> bool:
+    """Whether the boxes of two pieces overlap."""
     pieces = t.pieces
-    if (
-        pieces.low_x[a] > pieces.high_x[b]
-        or pieces.low_x[b] > pieces.high_x[a]
-        or pieces.low_y[a] > pieces.high_y[b]
-        or pieces.low_y[b] > pieces.high_y[a]
-    ):
-        return False
-    body_a = pieces.body[a]
-    body_b = pieces.body[b]
+    return (
+        pieces.low_x[a] <= pieces.high_x[b]
+        and pieces.low_x[b] <= pieces.high_x[a]
+        and pieces.low_y[a] <= pieces.high_y[b]
+        and pieces.low_y[b] <= pieces.high_y[a]
+    )
+
+
+def may_touch(t: Tables, a: int, b: int) -> bool:
+    """Whether two pieces whose boxes overlap have to be watched: one of them can be moved, and no
+    filter (see `filters`) lets one pass through the other. The body of a stands before that of b or
+    is the same.
+    """
+    body_a = t.pieces.body[a]
+    body_b = t.pieces.body[b]
     if body_a == body_b:
         return False
     bodies = t.bodies
@@ -92,10 +97,24 @@ def ignored(t: Tables, a: int, b: int) -> bool:
 
 def compare_all(t: Tables, pieces: int, room: int) -> int:
     """Find pairs by looking at every two pieces."""
+    low_x = t.pieces.low_x
+    low_y = t.pieces.low_y
+    high_x = t.pieces.high_x
+    high_y = t.pieces.high_y
     found = 0
     for a in range(pieces):
+        left = low_x[a]
+        right = high_x[a]
+        bottom = low_y[a]
+        top = high_y[a]
         for b in range(a + 1, pieces):
-            if may_touch(t, a, b):
+            if (
+                low_x[b] <= right
+                and left <= high_x[b]
+                and low_y[b] <= top
+                and bottom <= high_y[b]
+                and may_touch(t, a, b)
+            ):
                 found = note(t.found, a, b, found, room)
     return found
 
@@ -111,97 +130,131 @@ def note(found: Found, a: int, b: int, number: int, room: int) -> int:
 def search_grid(t: Tables, pieces: int, room: int) -> int:
     """Find pairs in a grid, in no order."""
     grid = t.grid
+    start = grid.start
     side = side_of_squares(t, pieces)
     squares = 64
     while squares < 2 * pieces:
         squares *= 2
-    large = sort_out_large(t, pieces, side)
-    stride = fill_grid(t, pieces, squares)
+    large = find_squares(t, pieces, side)
+    stride = number_squares(t, pieces, squares)
+    placed = sort_by_squares(t, pieces, squares)
     found = 0
-    for a in range(pieces):
-        if grid.following[a] == LARGER:
-            continue
-        column = grid.column[a]
-        row = grid.row[a]
-        found = look_into(t, a, column, row, grid.following[a], found, room)
-        for k in range(4):  # and half of the squares around, as the others look at this one
-            i = column + 1 if k < 3 else column
-            j = row - 1 + k if k < 3 else row + 1
-            found = look_into(t, a, i, j, grid.head[place(i, j, stride, squares)], found, room)
+    for k in range(placed):
+        a = grid.order[k]
+        square = grid.square[a]  # its own, then half of those around, as the others look at it
+        if square + 1 < squares:
+            found = look_into(t, a, k + 1, start[square + 2], found, room)
+        else:
+            found = look_into(t, a, k + 1, start[squares], found, room)
+            found = look_into(t, a, 0, start[1], found, room)
+        beside = (square + stride - 1) & (squares - 1)
+        if beside + 2 < squares:
+            found = look_into(t, a, start[beside], start[beside + 3], found, room)
+        else:
+            found = look_into(t, a, start[beside], start[squares], found, room)
+            found = look_into(t, a, 0, start[beside + 3 - squares], found, room)
     for k in range(large):
         a = grid.large[k]
-        for b in range(pieces):
-            if b > a and may_touch(t, a, b):
+        found = look_into(t, a, 0, placed, found, room)
+        for j in range(k + 1, large):
+            b = grid.large[j]
+            if overlap(t, a, b) and may_touch(t, a, b):
                 found = note(t.found, a, b, found, room)
-            elif b < a and grid.following[b] != LARGER and may_touch(t, b, a):
-                found = note(t.found, b, a, found, room)
     return found
 
 
-def look_into(t: Tables, a: int, column: int, row: int, top: int, found: int, room: int) -> int:
-    """Pair a piece with those of a square, from `top` on; return the number of pairs."""
-    grid = t.grid
-    b = top
-    while b >= 0:
-        if grid.column[b] == column and grid.row[b] == row:
+def look_into(t: Tables, a: int, first: int, end: int, found: int, room: int) -> int:
+    """Pair a piece with those from place `first` to `end` of the grid; return how many there are
+    then.
+    """
+    low_x = t.grid.low_x
+    low_y = t.grid.low_y
+    high_x = t.grid.high_x
+    high_y = t.grid.high_y
+    left = t.pieces.low_x[a]
+    right = t.pieces.high_x[a]
+    bottom = t.pieces.low_y[a]
+    top = t.pieces.high_y[a]
+    for k in range(first, end):
+        if low_x[k] <= right and left <= high_x[k] and low_y[k] <= top and bottom <= high_y[k]:
+            b = t.grid.order[k]
             if a < b:
                 if may_touch(t, a, b):
                     found = note(t.found, a, b, found, room)
             elif may_touch(t, b, a):
                 found = note(t.found, b, a, found, room)
-        b = grid.following[b]
     return found
 
 
-def sort_out_large(t: Tables, pieces: int, side: float) -> int:
-    """Find the squares of all pieces but those that are too large; return the number of these."""
+def find_squares(t: Tables, pieces: int, side: float) -> int:
+    """Find column and row of all pieces but those that are too large; return the number of these.
+
+    To be called after `side_of_squares`, which measures them.
+    """
     grid = t.grid
+    boxes = t.pieces
     large = 0
     for piece in range(pieces):
-        if extent(t, piece) > side:
+        if grid.extent[piece] > side:
             grid.large[large] = piece
-            grid.following[piece] = LARGER
+            grid.square[piece] = LARGER
             large += 1
         else:
-            grid.following[piece] = NOBODY
-            grid.column[piece] = square_of(
-                (t.pieces.low_x[piece] + t.pieces.high_x[piece]) / 2.0, side
-            )
-            grid.row[piece] = square_of(
-                (t.pieces.low_y[piece] + t.pieces.high_y[piece]) / 2.0, side
-            )
+            grid.square[piece] = 0
+            grid.column[piece] = square_of((boxes.low_x[piece] + boxes.high_x[piece]) / 2.0, side)
+            grid.row[piece] = square_of((boxes.low_y[piece] + boxes.high_y[piece]) / 2.0, side)
     return large
 
 
-def fill_grid(t: Tables, pieces: int, squares: int) -> int:
-    """Put the pieces into their squares, the last on top; return the stride for `place`."""
+def number_squares(t: Tables, pieces: int, squares: int) -> int:
+    """Give each piece the hash of its square, from 0 to `squares`, a power of two; return by how
+    much it grows from one column to the next.
+
+    Squares of a column are numbered one after the other, columns too, and what is too much begins
+    again at 0: a world that is no larger than so many squares has no two with the same number.
+    Squares around any one have different numbers in any case.
+    """
     grid = t.grid
     lowest = 0
     highest = 0
     for piece in range(pieces):
-        if grid.following[piece] != LARGER:
+        if grid.square[piece] != LARGER:
             lowest = grid.row[piece] if grid.row[piece] < lowest else lowest
             highest = grid.row[piece] if grid.row[piece] > highest else highest
     stride = highest - lowest + 3
-    if stride > squares:
-        stride = FALLBACK_STRIDE
-    for square in range(squares):
-        grid.head[square] = NOBODY
+    if stride > squares // 2 - 2:
+        stride = math.floor(SCATTER * squares)
     for piece in range(pieces):
-        if grid.following[piece] != LARGER:
-            own = place(grid.column[piece], grid.row[piece], stride, squares)
-            grid.following[piece] = grid.head[own]
-            grid.head[own] = piece
+        if grid.square[piece] != LARGER:
+            number = grid.column[piece] * stride + grid.row[piece]
+            grid.square[piece] = number & (squares - 1)
     return stride
 
 
-def place(column: int, row: int, stride: int, squares: int) -> int:
-    """Hash of a square, from 0 to `squares`, a power of two.
-
-    Squares of a column are numbered one after the other, columns too, and what is too much begins
-    again at 0: a world that is no larger than so many squares has no two with the same number.
-    """
-    return (column * stride + row) & (squares - 1)
+def sort_by_squares(t: Tables, pieces: int, squares: int) -> int:
+    """Sort the boxes by squares, by counting; return how many there are without the large ones."""
+    grid = t.grid
+    start = grid.start
+    for square in range(squares + 1):
+        start[square] = 0
+    placed = 0
+    for piece in range(pieces):
+        if grid.square[piece] != LARGER:
+            start[grid.square[piece]] += 1
+            placed += 1
+    for square in range(squares):  # for now, `start` says where a square ends
+        start[square + 1] += start[square]
+    for piece in range(pieces - 1, -1, -1):
+        square = grid.square[piece]
+        if square != LARGER:
+            k = start[square] - 1
+            start[square] = k
+            grid.order[k] = piece
+            grid.low_x[k] = t.pieces.low_x[piece]
+            grid.low_y[k] = t.pieces.low_y[piece]
+            grid.high_x[k] = t.pieces.high_x[piece]
+            grid.high_y[k] = t.pieces.high_y[piece]
+    return placed
 
 
 def square_of(at: float, side: float) -> int:
@@ -214,19 +267,20 @@ def square_of(at: float, side: float) -> int:
     return math.floor(number)
 
 
-def extent(t: Tables, piece: int) -> float:
-    """Width or height of a box, whichever is more (m)."""
-    wide = t.pieces.high_x[piece] - t.pieces.low_x[piece]
-    high = t.pieces.high_y[piece] - t.pieces.low_y[piece]
-    return wide if wide > high else high
-
-
 def side_of_squares(t: Tables, pieces: int) -> float:
-    """Side of the squares (m): the extent of the largest piece but for a few that are larger."""
+    """Side of the squares (m): the extent of the largest piece but for a few that are larger.
+
+    Extents, the width or the height of a box, whichever is more, are left in the grid.
+    """
+    extent = t.grid.extent
+    boxes = t.pieces
     allowed = LARGE + pieces // LARGE_SHARE
     total = 0.0
     for piece in range(pieces):
-        total += extent(t, piece)
+        wide = boxes.high_x[piece] - boxes.low_x[piece]
+        high = boxes.high_y[piece] - boxes.low_y[piece]
+        extent[piece] = wide if wide > high else high
+        total += extent[piece]
     side = total / pieces
     if not LEAST < side < 1.0 / LEAST:
         side = LEAST if side < 1.0 else 1.0 / LEAST
@@ -238,17 +292,18 @@ def side_of_squares(t: Tables, pieces: int) -> float:
             side /= 1.5
     fitting = 0.0
     for piece in range(pieces):
-        if fitting < extent(t, piece) <= side:
-            fitting = extent(t, piece)
+        if fitting < extent[piece] <= side:
+            fitting = extent[piece]
     side = fitting if fitting > LEAST else LEAST
     return side * 1.000001  # boxes as wide as a square stay neighbours whatever is rounded
 
 
 def larger_than(t: Tables, pieces: int, side: float) -> int:
     """How many pieces are larger (m)."""
+    extent = t.grid.extent
     larger = 0
     for piece in range(pieces):
-        if extent(t, piece) > side:
+        if extent[piece] > side:
             larger += 1
     return larger
 
@@ -256,7 +311,7 @@ def larger_than(t: Tables, pieces: int, side: float) -> int:
 def sort(t: Tables, pieces: int, number: int) -> None:
     """Sort the pairs by (a, b): by counting, first by b, then by a."""
     found = t.found
-    start = t.grid.head
+    start = t.grid.start
     for piece in range(pieces + 1):
         start[piece] = 0
     for k in range(number):

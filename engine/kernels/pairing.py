@@ -57,10 +57,12 @@ def rearrange(t: Tables, before: int, found: int) -> None:
     for k in range(found):
         if known[k] > k:
             move(t, known[k], k)
+    moved_by_hand = t.state.stale[0] == 1
     for k in range(found):
         if known[k] < 0:
             begin(t, k)
-        pairs.apart[k] = 0.0  # bodies may have been moved by hand
+        elif moved_by_hand:
+            pairs.apart[k] = 0.0
         pairs.queued[k] = 0
 
 

@@ -107,6 +107,23 @@ def advance_all(bodies: Bodies, count: int, time: float) -> None:
         spin[row] += turn * passed
 
 
+def drift_all(bodies: Bodies, count: int, time: float) -> None:
+    """The same where all fly straight: what stays where it is has no velocity either."""
+    clock = bodies.clock
+    x = bodies.x
+    y = bodies.y
+    angle = bodies.angle
+    vx = bodies.vx
+    vy = bodies.vy
+    spin = bodies.spin
+    for row in range(count):
+        passed = time - clock[row]
+        clock[row] = 0.0
+        x[row] += vx[row] * passed
+        y[row] += vy[row] * passed
+        angle[row] += spin[row] * passed
+
+
 def velocity_at(bodies: Bodies, row: int, time: float, x: float, y: float) -> tuple[float, float]:
     """Velocity at `time` (s) of the point (x, y) of a placed body (m/s)."""
     passed = time - bodies.clock[row]

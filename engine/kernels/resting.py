@@ -62,7 +62,8 @@ def settle(t: Tables, count: int, pair_count: int, shortest: float) -> int:
         if pairs.state[pair] == RESTING:
             pairs.resting[resting] = pair
             resting += 1
-    count_holds(t, count, resting)
+    if resting > 0 or t.progress.straight[0] == 0:
+        count_holds(t, count, resting)
     return resting
 
 

@@ -6,10 +6,19 @@ to read a full table of impacts, to ask rules that people wrote. Called again it
 
 from engine.kernels.accelerate import accelerate
 from engine.kernels.books import book_forces, is_forced
-from engine.kernels.broadphase import holds
+from engine.kernels.broadphase import look_ahead
 from engine.kernels.pairing import find_pairs
 from engine.kernels.sleeping import fall_asleep, wake_in_time
-from engine.kernels.travel import CROWDED, DONE, ESCAPED, begin, end, runaway, travel
+from engine.kernels.travel import (
+    CROWDED,
+    DONE,
+    ESCAPED,
+    begin,
+    end,
+    runaway,
+    runaways,
+    travel,
+)
 from engine.settings import Laws
 from engine.tables import Tables, copy_row
 
@@ -45,10 +54,10 @@ def step(t: Tables, laws: Laws, dt: float) -> int:
         progress.now[0] = 0.0
         t.counts.parted[0] = 0
         progress.begun[0] = 0
-        if has_run_away(t, dt):
+        lost, escaping = look_ahead(t, t.counts.bodies[0], dt)
+        if lost > 0 and has_run_away(t, dt):
             return LOST
-        pairs_hold = t.state.stale[0] == 0 and holds(t, t.counts.bodies[0], dt)
-        progress.phase[0] = MOVING if pairs_hold else PAIRING
+        progress.phase[0] = MOVING if escaping == 0 and t.state.stale[0] == 0 else PAIRING
     while progress.phase[0] != WAITING:
         if progress.phase[0] == PAIRING:
             if not find_pairs(t, dt):
@@ -66,10 +75,11 @@ def step(t: Tables, laws: Laws, dt: float) -> int:
             return CROWDED
         else:
             progress.phase[0] = WAITING
+    count = t.counts.bodies[0]
     if t.books.forced[0] == 1:
-        book_forces(t, t.counts.bodies[0], laws, dt)
-    end(t, t.counts.bodies[0], t.counts.pairs[0], laws.integrator, dt)
-    if has_run_away(t, dt):
+        book_forces(t, count, laws, dt)
+    end(t, count, t.counts.pairs[0], laws.integrator, dt)
+    if runaways(t.bodies, count, dt) > 0 and has_run_away(t, dt):
         return LOST
     end_pushes(t)
     if laws.sleep_time > 0.0:
@@ -82,6 +92,10 @@ def act(t: Tables, laws: Laws, dt: float) -> None:
     """Let forces accelerate the bodies for a tick of `dt` seconds."""
     forced = is_forced(t, laws)
     t.books.forced[0] = 1 if forced else 0
+    if forced or t.state.stale[0] == 1:
+        t.progress.straight[0] = 0
+    if t.progress.straight[0] == 1:
+        return
     count = t.counts.bodies[0]
     accelerate(t.bodies, count, t.pushes, t.counts.pushes[0], t.fields, laws, dt, forced)
 

@@ -9,8 +9,14 @@ from engine.kernels.books import book_lead, book_part
 from engine.kernels.contacts import correct_arms, relax
 from engine.kernels.fields import lead_of_euler
 from engine.kernels.impacts import strike
-from engine.kernels.meeting import approach_at, find_meeting, find_meetings, measure_ways
-from engine.kernels.pose import advance_all
+from engine.kernels.meeting import (
+    approach_at,
+    find_meeting,
+    find_meetings,
+    foresee_meetings,
+    measure_ways,
+)
+from engine.kernels.pose import advance_all, drift_all
 from engine.kernels.resting import (
     KEEPING,
     OVERLAP,
@@ -45,13 +51,22 @@ TOGETHER = 1e-12
 
 
 def begin(t: Tables, count: int, pair_count: int, shortest: float) -> None:
-    """Start a tick: find what rests; let the others move with their integrator's lead."""
+    """Start a tick: find what rests; let the others move with their integrator's lead.
+
+    In a tick without forces that is no more than to see that nothing rests, once all fly straight.
+    """
     bodies = t.bodies
+    if t.progress.straight[0] == 1:
+        return
     clear_sums(t)
     for row in range(count):
         bodies.clock[row] = 0.0
-    settle(t, count, pair_count, shortest)
+    resting = settle(t, count, pair_count, shortest)
     forced = t.books.forced[0] == 1
+    if not forced and resting == 0 and not joints_act(t):
+        t.progress.straight[0] = 1
+        for pair in range(pair_count):
+            t.pairs.clear[pair] = 0.0
     for row in range(count):
         bodies.path_x[row] = bodies.ax[row]
         bodies.path_y[row] = bodies.ay[row]
@@ -72,8 +87,9 @@ def end(t: Tables, count: int, pair_count: int, integrator: int, dt: float) -> N
     rest keeps the velocity of the position, and one that begins gets its lead.
     """
     bodies = t.bodies
+    struck = t.pairs.struck
     for pair in range(pair_count):
-        t.pairs.struck[pair] -= dt
+        struck[pair] -= dt
     mean_forces(t, dt)
     if t.books.forced[0] == 0:
         return
@@ -105,17 +121,27 @@ def travel(
         part, held, steady = plan(t, count, resting, now, dt, substep)
         joined = joints_that_act(t)
         first = t.impacts.written[0]
-        measure_ways(t, count, part)
+        if resting > 0:
+            t.progress.straight[0] = 0
+        straight = t.progress.straight[0] == 1
+        if t.progress.sensing[0] > 0 or not straight:
+            measure_ways(t, count, part)
         if t.progress.sensing[0] > 0:
             sense_passing(t, pair_count, part)
-        queued = find_meetings(t, pair_count, part)
+        if straight:
+            queued = foresee_meetings(t, pair_count, part)
+        else:
+            queued = find_meetings(t, pair_count, part)
         status = DONE
         reached = part
         if queued > 0:
             status, reached = meet_all(
                 t, queued, held + joined, steady, now, part, dt, substep, limit
             )
-        advance_all(t.bodies, count, reached)
+        if straight:
+            drift_all(t.bodies, count, reached)
+        else:
+            advance_all(t.bodies, count, reached)
         if held > 0:
             book_part(t, held, count, part, reached, t.impacts.written[0] > first)
             if reached < part:
@@ -133,7 +159,8 @@ def travel(
         if t.pairs.state[pair] == RESTING:
             t.pairs.resting[settled] = pair
             settled += 1
-    count_holds(t, count, settled)
+    if settled > 0 or t.progress.straight[0] == 0:
+        count_holds(t, count, settled)
     return DONE, dt
 
 
@@ -374,15 +401,24 @@ def farthest(t: Tables, row: int, lasts: float) -> tuple[float, float]:
 
 def runaway(bodies: Bodies, count: int, dt: float) -> int:
     """Row of the first body whose pose, or where it goes in `dt`, no number can hold; -1: none."""
-    moves = bodies.moves
+    for row in range(count):
+        speed = abs(bodies.vx[row]) + abs(bodies.vy[row]) + abs(bodies.spin[row])
+        speed += (abs(bodies.ax[row]) + abs(bodies.ay[row]) + abs(bodies.aspin[row])) * dt
+        if not abs(bodies.x[row]) + abs(bodies.y[row]) + abs(bodies.angle[row]) + speed * dt < MOST:
+            return row
+    return -1
+
+
+def runaways(bodies: Bodies, count: int, dt: float) -> int:
+    """How many bodies have left the range of numbers, or are about to in `dt` by their velocity."""
     x = bodies.x
     y = bodies.y
     angle = bodies.angle
+    vx = bodies.vx
+    vy = bodies.vy
+    spin = bodies.spin
+    lost = 0
     for row in range(count):
-        if moves[row] == 0:
-            continue
-        speed = abs(bodies.vx[row]) + abs(bodies.vy[row]) + abs(bodies.spin[row])
-        speed += (abs(bodies.ax[row]) + abs(bodies.ay[row]) + abs(bodies.aspin[row])) * dt
-        if not abs(x[row]) + abs(y[row]) + abs(angle[row]) + speed * dt < MOST:
-            return row
-    return -1
+        speed = abs(vx[row]) + abs(vy[row]) + abs(spin[row])
+        lost += not abs(x[row]) + abs(y[row]) + abs(angle[row]) + speed * dt < MOST
+    return lost

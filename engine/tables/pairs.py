@@ -66,6 +66,8 @@ class Pairs(NamedTuple):
     """How far the two moved over each other since their points were found (m)."""
     apart: Floats
     """The surfaces of a free pair are at least so far apart when a part begins (m)."""
+    clear: Floats
+    """For so long a free pair does not meet if all fly straight on, see `Progress.straight` (s)."""
     touched: Ints
     """Number of the tick in which the two last touched, or began to rest; see `touches`."""
     touched_before: Ints
@@ -209,12 +211,20 @@ class Found(NamedTuple):
 class Grid(NamedTuple):
     """Squares over the world in which the broad phase looks for neighbours; see `neighbours`."""
 
-    head: Ints
-    """The piece on top of a square, by the square's hash, or `neighbours.NOBODY`."""
-    following: Ints
-    """By pieces: the one below it in squares of the same hash, or `neighbours.NOBODY`."""
+    start: Ints
+    """By the number of a square: place of its first box."""
+    order: Ints
+    """By places: the piece, and its box (m)."""
+    low_x: Floats
+    low_y: Floats
+    high_x: Floats
+    high_y: Floats
+    square: Ints
+    """By pieces: number of the square in which its box has its centre, or `neighbours.LARGER`."""
     column: Ints
-    """By pieces: the square in which its box has its centre."""
+    """By pieces: where that square is."""
     row: Ints
+    extent: Floats
+    """By pieces: width or height of the box, whichever is more (m)."""
     large: Ints
     """Pieces that are larger than a square (a list of its own, not by row)."""

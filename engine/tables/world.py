@@ -125,6 +125,9 @@ class Progress(NamedTuple):
     """Number of pairs for which all tables have room."""
     wanted: Ints
     """Number of pairs for which they should."""
+    straight: Ints
+    """1 while nothing but impacts changes the velocity of any body: no accelerations, no bent
+    paths, nothing rests; `Pairs.clear` then holds."""
     sensing: Ints
     """Number of pairs with a sensor."""
     own_rules: Ints
@@ -194,7 +197,7 @@ ROWS = {
     "links": 128,
     "found": 64,
     "parted": 64,
-    "grid": 64,
+    "grid": 128,
     "touch": 2,
     "impacts": IMPACTS_AT_ONCE,
     "joints": 4,
