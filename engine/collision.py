@@ -42,25 +42,26 @@ def read(impacts: Impacts, handles: Sequence["Body"]) -> list[Collision]:
     """
     number = impacts.written[0]
     impacts.written[0] = 0
-    columns = [column[:number] for column in impacts[:-1]]
+    a, b, time = impacts.a, impacts.b, impacts.time
+    x, y, speed, restitution = impacts.x, impacts.y, impacts.speed, impacts.restitution
+    normal_x, normal_y = impacts.normal_x, impacts.normal_y
+    impulse_x, impulse_y = impacts.impulse_x, impacts.impulse_y
     return [
         _row(
             Collision,
             (
-                handles[a],
-                handles[b],
-                _row(Vector, (x, y)),
-                _row(Vector, (normal_x, normal_y)),
-                _row(Vector, (impulse_x, impulse_y)),
-                speed,
-                restitution,
-                time,
+                handles[a[i]],
+                handles[b[i]],
+                _row(Vector, (x[i], y[i])),
+                _row(Vector, (normal_x[i], normal_y[i])),
+                _row(Vector, (impulse_x[i], impulse_y[i])),
+                speed[i],
+                restitution[i],
+                time[i],
             ),
         )
-        for (
-            a, b, x, y, normal_x, normal_y, impulse_x, impulse_y, speed, restitution, time,
-        ) in zip(*columns, strict=True)
-    ]  # fmt: skip
+        for i in range(number)
+    ]
 
 
 class Diverged(ArithmeticError):

@@ -44,6 +44,7 @@ SOURCES = (
     "kernels.accelerate",
     "kernels.books",
     "kernels.broadphase",
+    "kernels.circles",
     "kernels.contacts",
     "kernels.fields",
     "kernels.following",

@@ -23,13 +23,13 @@ from numba.core.typed_passes import (
     NopythonTypeInference,
     PreLowerStripPhis,
 )
-from numba.core.untyped_passes import FixupArgs, IRProcessing, ReconstructSSA, TranslateByteCode
 from numba.core.typing.templates import (
     AbstractTemplate,
     AttributeTemplate,
     infer_global,
     signature,
 )
+from numba.core.untyped_passes import FixupArgs, IRProcessing, ReconstructSSA, TranslateByteCode
 from numba.extending import (
     infer_getattr,
     intrinsic,

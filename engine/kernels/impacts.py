@@ -10,7 +10,7 @@ it comes second and never reverses the sliding, no impact gains energy.
 import math
 
 from engine.kernels.books import book_impact, book_more
-from engine.kernels.meeting import STILL
+from engine.kernels.circles import STILL
 from engine.kernels.pose import advance, place_pair
 from engine.kernels.rubbing import belt_speed
 from engine.kernels.sleeping import wake

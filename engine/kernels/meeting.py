@@ -7,21 +7,25 @@ negative; a bracketed secant (Illinois) then finds where it was zero, to roundin
 
 import math
 
+from engine.kernels.circles import (
+    STILL,
+    both_discs,
+    circle_meets_wall,
+    circles_meet,
+    discs_meet,
+    meet,
+    room_at_wall,
+    stays_clear,
+    wall_of,
+)
 from engine.kernels.pose import place, place_pair, velocity_at
 from engine.manifolds.any_pair import gap_between, touching_points
 from engine.manifolds.link import is_link, nearest_neighbour
 from engine.tables import FREE, NEVER, PASSING, RESTING, SENSING, Tables
 
-STILL = 1e-9
-"""Speed below which two touching bodies do not approach (m/s): rounding, no threshold to bounce."""
-
 ZERO_GAP = 1e-10
 """Gap that counts as touching, as a share of the smaller body's reach."""
 
-
-CLEAR = 1e-4
-"""Gap that straight flights keep as long as they are foreseen to be clear, as a share of the
-smaller body's reach: far more than any rounding, and more than what comes to rest."""
 
 NOWHERE = -1e300
 """Speed of approach of bodies that have no point to touch at (m/s)."""
@@ -55,7 +59,6 @@ def find_meetings(t: Tables, pair_count: int, part: float) -> int:
     """
     pairs = t.pairs
     way = t.bodies.way
-    one_sided = t.pieces.one_sided
     queued = 0
     for pair in range(pair_count):
         if pairs.state[pair] != FREE:
@@ -66,8 +69,7 @@ def find_meetings(t: Tables, pair_count: int, part: float) -> int:
         if left > 0.0:
             pairs.apart[pair] = left
             continue
-        if one_sided[pairs.piece_a[pair]] == 1 or one_sided[pairs.piece_b[pair]] == 1:
-            notice_passing(t, pair)
+        notice_passing(t, pair)
         find_meeting(t, pair, 0.0, part)
         if pairs.meeting[pair] < NEVER:
             pairs.queue[queued] = pair
@@ -81,7 +83,6 @@ def foresee_meetings(t: Tables, pair_count: int, part: float) -> int:
     pairs = t.pairs
     state = pairs.state
     clear = pairs.clear
-    one_sided = t.pieces.one_sided
     queued = 0
     for pair in range(pair_count):
         left = clear[pair] - part
@@ -90,8 +91,7 @@ def foresee_meetings(t: Tables, pair_count: int, part: float) -> int:
             continue
         if state[pair] != FREE:
             continue
-        if one_sided[pairs.piece_a[pair]] == 1 or one_sided[pairs.piece_b[pair]] == 1:
-            notice_passing(t, pair)
+        notice_passing(t, pair)
         find_meeting(t, pair, 0.0, part)
         if pairs.meeting[pair] < NEVER:
             pairs.queue[queued] = pair
@@ -161,47 +161,6 @@ def find_meeting(t: Tables, pair: int, start: float, end: float) -> None:
         pairs.meeting[pair] = NEVER
 
 
-def stays_clear(t: Tables, pair: int, lasts: float) -> bool:
-    """Whether a pair does not meet until the end of the part and, then, for `lasts` seconds."""
-    if lasts <= 0.0:
-        return False
-    t.pairs.clear[pair] = lasts
-    t.pairs.apart[pair] = CLEAR * t.pairs.size[pair]
-    return True
-
-
-def circles_meet(
-    t: Tables, pair: int, x: float, y: float, vx: float, vy: float, reach: float
-) -> float:
-    """Time (s) until the bounding circles of two bodies, flying straight, are nearly as close as
-    their radii allow; 0 if they are, `NEVER` if they never will be.
-    """
-    near = reach + CLEAR * t.pairs.size[pair]
-    room = x * x + y * y - near * near
-    if room <= 0.0:
-        return 0.0
-    closing = x * vx + y * vy
-    root = closing * closing - (vx * vx + vy * vy) * room
-    if closing >= 0.0 or root <= 0.0:
-        return NEVER
-    return room / (math.sqrt(root) - closing)
-
-
-def circle_meets_wall(t: Tables, pair: int, wall: int, start: float) -> float:
-    """The same for a body and the line of a wall."""
-    bodies = t.bodies
-    body = t.pairs.a[pair] + t.pairs.b[pair] - t.pieces.body[wall]
-    first = t.pieces.first[wall]
-    room = room_at_wall(t, wall, body, start, CLEAR * t.pairs.size[pair])
-    if room <= 0.0:
-        return 0.0
-    closing = t.corners.world_normal_x[first] * bodies.vx[body]
-    closing += t.corners.world_normal_y[first] * bodies.vy[body]
-    if height_above(t, wall, bodies.x[body], bodies.y[body]) < 0.0:
-        closing = -closing  # the first side of a wall is its negative one
-    return room / closing if closing > 0.0 else NEVER
-
-
 def slides_over(t: Tables, pair: int, speed: float, lasts: float) -> bool:
     """Whether a body that rests on one link of a chain comes to another one at a speed (m/s).
 
@@ -225,39 +184,6 @@ def slides_over(t: Tables, pair: int, speed: float, lasts: float) -> bool:
     return False
 
 
-def wall_of(t: Tables, pair: int) -> int:
-    """Row of the piece of a pair that is straight and never moves, or -1 if there is none."""
-    a = t.pairs.piece_a[pair]
-    if t.pieces.corners[a] == 2 and t.bodies.moves[t.pairs.a[pair]] == 0:
-        return a
-    b = t.pairs.piece_b[pair]
-    if t.pieces.corners[b] == 2 and t.bodies.moves[t.pairs.b[pair]] == 0:
-        return b
-    return -1
-
-
-def both_discs(t: Tables, pair: int) -> bool:
-    """Whether both pieces of a pair are discs about the centres of their bodies."""
-    a = t.pairs.piece_a[pair]
-    b = t.pairs.piece_b[pair]
-    return t.pieces.swing[a] == 0.0 and t.pieces.swing[b] == 0.0
-
-
-def room_at_wall(t: Tables, wall: int, body: int, start: float, way: float) -> float:
-    """Distance that a body keeps from a wall's line, if it moves no further than `way` (m)."""
-    bodies = t.bodies
-    first = t.pieces.first[wall]
-    passed = start - bodies.clock[body]
-    half = passed * passed / 2.0
-    x = bodies.x[body] + bodies.vx[body] * passed + bodies.path_x[body] * half
-    y = bodies.y[body] + bodies.vy[body] * passed + bodies.path_y[body] * half
-    above = t.corners.world_normal_x[first] * (
-        x - t.corners.world_x[first]
-    ) + t.corners.world_normal_y[first] * (y - t.corners.world_y[first])
-    reach = bodies.reach[body] + t.pieces.radius[wall]
-    return abs(above) - reach - way
-
-
 def rim_speed(t: Tables, row: int, piece: int, lasts: float) -> float:
     """The most that rotation adds to the speed of the surface of a piece of a body (m/s)."""
     swing = t.pieces.swing[piece]
@@ -266,43 +192,6 @@ def rim_speed(t: Tables, row: int, piece: int, lasts: float) -> float:
     spin = t.bodies.spin[row]
     more = t.bodies.path_spin[row] * lasts
     return ((spin if spin > 0.0 else -spin) + (more if more > 0.0 else -more)) * swing
-
-
-def discs_meet(
-    t: Tables,
-    pair: int,
-    start: float,
-    end: float,
-    x: float,
-    y: float,
-    vx: float,
-    vy: float,
-    reach: float,
-) -> None:
-    """Solve |d + v t| = r for two round bodies that move with constant relative velocity."""
-    closing = x * vx + y * vy
-    if closing >= 0.0:
-        return
-    distance = math.sqrt(x * x + y * y)
-    room = distance * distance - reach * reach
-    square = vx * vx + vy * vy
-    if room <= 0.0:  # they touch, or overlap by rounding
-        if -closing > STILL * distance:
-            meet(t, pair, start, -closing / distance if distance > 0.0 else math.sqrt(square))
-        return
-    root = closing * closing - square * room
-    if root <= 0.0:
-        return
-    root = math.sqrt(root)
-    time = start + room / (root - closing)
-    if time <= end and root > STILL * reach:
-        meet(t, pair, time, root / reach)
-
-
-def meet(t: Tables, pair: int, time: float, speed: float) -> None:
-    """Note a meeting."""
-    t.pairs.meeting[pair] = time
-    t.pairs.speed[pair] = speed
 
 
 def gap_at(t: Tables, pair: int, time: float) -> float:
@@ -431,8 +320,6 @@ def height_above(t: Tables, wall: int, x: float, y: float) -> float:
 def notice_passing(t: Tables, pair: int) -> None:
     """Let through a one-sided wall what comes from behind; stop it again once it is through."""
     pairs = t.pairs
-    if pairs.state[pair] == SENSING:
-        return
     wall = pairs.piece_a[pair]
     body = pairs.b[pair]
     if t.pieces.one_sided[wall] == 0:
@@ -440,6 +327,8 @@ def notice_passing(t: Tables, pair: int) -> None:
         body = pairs.a[pair]
         if t.pieces.one_sided[wall] == 0:
             return
+    if pairs.state[pair] == SENSING:
+        return
     place(t.bodies, t.corners, body, t.bodies.clock[body])
     x = t.bodies.here_x[body]
     y = t.bodies.here_y[body]

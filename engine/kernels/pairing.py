@@ -90,6 +90,7 @@ def begin(t: Tables, pair: int) -> None:
     pairs.a[pair] = t.pieces.body[piece_a]
     pairs.b[pair] = t.pieces.body[piece_b]
     pairs.struck[pair] = -NEVER
+    pairs.meeting[pair] = NEVER
     if t.bodies.sensor[pairs.a[pair]] == 1 or t.bodies.sensor[pairs.b[pair]] == 1:
         pairs.state[pair] = SENSING
     size_a = size(t, piece_a)

@@ -5,10 +5,11 @@ is over: what forces do within a substep explains its motion. Nothing else decid
 impact; there is no speed below which bodies do not bounce.
 """
 
+from engine.kernels.circles import STILL, wall_of
 from engine.kernels.contacts import kick
 from engine.kernels.following import find_points, follow, has_drifted
 from engine.kernels.impacts import acceleration, stays, strike
-from engine.kernels.meeting import NOWHERE, STILL, approach_at, notice_passing, slides_over, wall_of
+from engine.kernels.meeting import NOWHERE, approach_at, notice_passing, slides_over
 from engine.kernels.sleeping import wake
 from engine.kernels.spring import frequency, softness, softness_left
 from engine.kernels.steady import let_go

@@ -15,6 +15,7 @@ from engine.kernels.meeting import (
     find_meetings,
     foresee_meetings,
     measure_ways,
+    notice_passing,
 )
 from engine.kernels.pose import advance_all, drift_all
 from engine.kernels.resting import (
@@ -198,7 +199,9 @@ def meet_all(
     """Let all impacts of a part happen in order of time; return the status and the time reached."""
     status, reached, queued = meet_in_order(t, queued, held, steady, now, part, dt, substep, limit)
     for at in range(queued):
-        t.pairs.queued[t.pairs.queue[at]] = 0
+        pair = t.pairs.queue[at]
+        t.pairs.queued[pair] = 0
+        t.pairs.meeting[pair] = NEVER
     return status, reached
 
 
@@ -307,6 +310,7 @@ def look_again(t: Tables, row: int, time: float, part: float, queued: int, stric
     for link in range(first, first + t.bodies.links[row]):
         pair = t.links.pair[link]
         if pairs.state[pair] == FREE:
+            notice_passing(t, pair)
             find_meeting(t, pair, time, part)
         elif pairs.state[pair] == RESTING and strict:
             pairs.meeting[pair] = NEVER
