@@ -7,6 +7,7 @@ from fractions import Fraction
 from app.camera import Camera
 from app.deliverables import Deliverables
 from app.frames import Film
+from app.outputs.background import brief_turns
 from app.overlay import Overlay
 from app.player import Player
 from app.report import Output, Report
@@ -46,7 +47,7 @@ def render(
     report = Report(scenario)
     shots = [shot.path for shot in pictures(scenario.steps)]
     player = Player(scenario, lesson, watcher.checked)
-    with Deliverables(scenario.outputs, shots, film) as deliverables:
+    with brief_turns(), Deliverables(scenario.outputs, shots, film) as deliverables:
 
         def filmed(frames: int) -> None:
             report.frames = frames

@@ -1,3 +1,4 @@
+import sys
 import threading
 from pathlib import Path
 
@@ -6,7 +7,7 @@ import pytest
 
 from app.frames import Film, Frame, Moment
 from app.outputs import OutputError, open_sink
-from app.outputs.background import Background
+from app.outputs.background import Background, brief_turns
 
 PIXELS = np.zeros((2, 2), np.uint32)
 
@@ -125,3 +126,11 @@ def test_a_real_film(tmp_path: Path, film: Film, pictures: list[np.ndarray]) -> 
     direct.close()
     behind.close()
     assert (tmp_path / "direct.gif").read_bytes() == (tmp_path / "behind.gif").read_bytes()
+
+
+def test_threads_take_brief_turns_only_meanwhile() -> None:
+    before = sys.getswitchinterval()
+    with pytest.raises(KeyError), brief_turns():
+        assert sys.getswitchinterval() < before
+        raise KeyError
+    assert sys.getswitchinterval() == before
