@@ -142,7 +142,8 @@ def draw_caption(surface: "Surface", caption: str, words: Words, lesson_id: str)
 
     It never covers the canvas.
     """
-    room = layout(surface.size).words
+    area = layout(surface.size)
+    room, lowest = area.words, area.words.bottom + (EDGE if area.portrait else 0.0)
     explanation = explanation_of(surface, room, words, lesson_id)
     below_title = room.y + theme.TITLE.line_height
     large, middle, small = STYLES
@@ -157,9 +158,9 @@ def draw_caption(surface: "Surface", caption: str, words: Words, lesson_id: str)
     width = room.width + 2 * EDGE - 2 * PADDING
     for top, style in places:
         needed = surface.measure(caption, style, width=width).height + 2 * PADDING
-        if top + needed <= room.bottom + EDGE:
+        if top + needed <= lowest:
             break
-    bottom = min(max(top + needed, explanation.bottom + EDGE), room.bottom + EDGE)
+    bottom = min(max(top + needed, explanation.bottom + EDGE), lowest)
     box = Rect(room.x - EDGE, top, room.width + 2 * EDGE, bottom - top)
 
     def paint() -> None:

@@ -73,9 +73,10 @@ def leaving(
 
 
 def beside(canvas: Canvas, center: Vector, reach: tuple[float, float], radius: float) -> Vector:
-    """Where an arrow starts (m) that lies beside a body of some radius (m), with its head in sight.
+    """Where an arrow starts (m) that lies beside a body of some radius (m), all of it in sight.
 
-    Of both sides of the body the one that is nearer to the middle of the room.
+    Of both sides of the body the one that is nearer to the middle of the room; its head is level
+    with the front of the body if there is room for its tail.
     """
     scale, (dx, dy) = canvas.view.scale, reach
     length = math.sqrt(dx * dx + dy * dy)
@@ -85,8 +86,10 @@ def beside(canvas: Canvas, center: Vector, reach: tuple[float, float], radius: f
         x, y = -x, -y
     middle = (center.x + x, center.y + y)
     front = radius * scale / length
-    ahead = front * fitting(canvas, middle, (front * dx, front * dy)) - 1.0
-    return Vector(middle[0] + ahead * dx / scale, middle[1] + ahead * dy / scale)
+    ahead = front * fitting(canvas, middle, (front * dx, front * dy))
+    head = (middle[0] + ahead * dx / scale, middle[1] + ahead * dy / scale)
+    back = fitting(canvas, head, (-dx, -dy))
+    return Vector(head[0] - back * dx / scale, head[1] - back * dy / scale)
 
 
 def distance(at: Vector, start: Vector, end: Vector) -> float:

@@ -19,6 +19,8 @@ FAINTEST = 0.02
 """The least impulse that gets words (N s)."""
 STRONGER = 1.5
 """By so many times a hit must be stronger than one with words to take these over."""
+LANE = 14.0
+"""From one arrow to the other if both lie beside a ball (dp)."""
 AHEAD = 0.15
 """Words keep off the ways of the balls in this time (s)."""
 CHARACTER, PILL = 5.8, Size(20.0, 22.0)
@@ -165,14 +167,16 @@ def _draw_arrows(canvas: Canvas, hit: Collision, faded: float) -> list[Rect]:
     ]
     # Both are shortened alike, so that they are seen to be equal.
     part = min((free for free in room if free >= SHORTEST), default=1.0)
-    lain = []
+    lain: list[Rect] = []
+    lane = 0.0
     for (body, other, (dx, dy), kind), edge, free in zip(ends, edges, room, strict=True):
         reach, ball = (dx * part, dy * part), other if body.is_wall else body
         if free >= SHORTEST:
             start = Vector(*edge)
         else:
-            # It ends at the wall, beside the ball that gives or takes it.
-            start = beside(canvas, ball.position, reach, radius_of(ball))
+            # Beside the ball; if that of the wall lies there too, one beside the other.
+            start = beside(canvas, ball.position, reach, radius_of(ball) + lane)
+            lane = LANE / canvas.view.scale if hit.a.is_wall or hit.b.is_wall else 0.0
         tip = canvas.arrow(start, reach, kind, faded)
         tail = canvas.view.to_screen(start)
         left, top = min(tail.x, tip.x), min(tail.y, tip.y)
