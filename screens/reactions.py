@@ -154,11 +154,7 @@ class Reactions:
         key = (self.id, self.words.file, self.size, self.room, self.ball_mass)
         surface.static(key, self._draw_page)
         canvas = Canvas(surface, self.view.rect, self.room)
-        under = impulses.draw(canvas, self.marks, self.world.time)
-        under.append(bar_room(canvas.rect))
-        for number, ball in enumerate(self.balls):
-            color = theme.BODY_COLORS[number % len(theme.BODY_COLORS)]
-            self._draw_ball(canvas, ball, LETTERS[number], color, under)
+        self._draw_balls(canvas)
         if self.refusal:
             self._draw_refusal(canvas, *self.refusal)
         place = _readouts(layout(self.size))[0]
@@ -198,13 +194,26 @@ class Reactions:
             valign="middle",
         )
 
-    def _draw_ball(
-        self, canvas: Canvas, ball: Body, letter: str, color: theme.Color, under: Sequence[Rect]
-    ) -> None:
-        """A ball, and nothing shows through it of what lies in the rectangles `under` (dp)."""
+    def _draw_balls(self, canvas: Canvas) -> None:
+        """The balls; over them the impulses of their hits, but for the letters.
+
+        What is said of hits, and the scale bar, lie below and do not show through.
+        """
+        under = impulses.draw_words(canvas, self.marks, self.world.time)
+        under.append(bar_room(canvas.rect))
         first = self.chosen["particle.mass"]
-        shade = opacity(ball.mass, LIGHTEST * first, HEAVIEST * first)
-        canvas.body(ball, color, shade, letter, under)
+        looks = [
+            (
+                theme.BODY_COLORS[number % len(theme.BODY_COLORS)],
+                opacity(ball.mass, LIGHTEST * first, HEAVIEST * first),
+            )
+            for number, ball in enumerate(self.balls)
+        ]
+        for ball, look in zip(self.balls, looks, strict=True):
+            canvas.body(ball, *look, over=under)
+        impulses.draw_arrows(canvas, self.marks, self.world.time)
+        for ball, letter, look in zip(self.balls, LETTERS, looks, strict=False):
+            canvas.letter(letter, canvas.view.to_screen(ball.position), *look)
 
     def _draw_refusal(self, canvas: Canvas, name: str, at: Point, since: float) -> None:
         """A cross where a ball found no room, and the reason."""

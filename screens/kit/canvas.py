@@ -102,7 +102,6 @@ class Canvas:
                 self.wall(Wall(link.corners[0], link.corners[1]), color)
             return
         center = self.view.to_screen(body.position)
-        ink = letter_color(color, opacity)
         if not isinstance(shape, Circle | Particle):
             ground = theme.CANVAS if over else None
             parts = [
@@ -112,7 +111,7 @@ class Canvas:
             with self._within(*(corner for part in parts for corner in part)):
                 for corners in parts:
                     self._polygon(corners, color, opacity, ground)
-                self.surface.letter(letter, center, theme.LETTER, ink)
+            self.letter(letter, center, color, opacity)
             return
         radius = shape.radius * self.view.scale
         x, y = center
@@ -126,8 +125,16 @@ class Canvas:
             self.surface.circle(center, radius, color, opacity, outline=color, ground=ground)
             if isinstance(shape, Circle):
                 self._spin_mark(center, radius, body.angle, color)
-            self.surface.letter(letter, center, theme.LETTER, ink)
+        self.letter(letter, center, color, opacity)
         self.labels.block_circle(center, radius)
+
+    def letter(self, letter: str, center: Point, color: Color, opacity: float) -> None:
+        """A letter on a body of a colour and an opacity whose centre is there (dp)."""
+        if letter:
+            (x, y), reach = center, theme.LETTER.size * len(letter)
+            with self._within((x - reach, y - reach), (x + reach, y + reach)):
+                ink = letter_color(color, opacity)
+                self.surface.letter(letter, center, theme.LETTER, ink)
 
     def wall(self, wall: Wall, color: Color = theme.WALL) -> None:
         """A wall, as a thick line with round ends."""

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 from engine import Body, Collision, Particle, Vector, Wall
 from screens.kit import arrows, hits, theme
-from screens.kit.bodies import HEAD_ROOM, SHORTEST, beside, fitting
+from screens.kit.bodies import SHORTEST, beside, fitting
 from screens.kit.canvas import GAP_TO_BORDER, Canvas, bar_room
 from screens.kit.geometry import Point, Rect, Size
 from screens.kit.labels import Labels
@@ -129,10 +129,10 @@ def _block_arrows(labels: Labels, view: View, hit: Collision) -> None:
             labels.block_line(center, tip, 2 * radius + 28.0 if is_beside else 14.0)
 
 
-def draw(canvas: Canvas, marks: Sequence[Mark], now: float) -> list[Rect]:
-    """Draw words and arrows, faded by age; returns the rectangles they lie in (dp).
+def draw_words(canvas: Canvas, marks: Sequence[Mark], now: float) -> list[Rect]:
+    """Draw what is said of hits, faded by age; returns the rectangles it lies in (dp).
 
-    Balls are to be drawn over them.
+    Balls are to be drawn over it.
     """
     under = []
     for mark in marks:
@@ -141,9 +141,13 @@ def draw(canvas: Canvas, marks: Sequence[Mark], now: float) -> list[Rect]:
             rect = Rect(middle.x - size.width / 2, middle.y - size.height / 2, *size)
             canvas.pill(mark.words, rect, theme.ORANGE, hits.fading(mark.hit, now))
             under.append(rect)
-    for hit in _pointed(marks):
-        under += _draw_arrows(canvas, hit, hits.fading(hit, now))
     return under
+
+
+def draw_arrows(canvas: Canvas, marks: Sequence[Mark], now: float) -> None:
+    """Draw the impulses of hits, faded by age, over the balls: in a crowd heads must be seen."""
+    for hit in _pointed(marks):
+        _draw_arrows(canvas, hit, hits.fading(hit, now))
 
 
 def _pointed(marks: Sequence[Mark]) -> list[Collision]:
@@ -153,7 +157,7 @@ def _pointed(marks: Sequence[Mark]) -> list[Collision]:
     return hits.strongest(silent, ARROWS - len(said)) + said
 
 
-def _draw_arrows(canvas: Canvas, hit: Collision, faded: float) -> list[Rect]:
+def _draw_arrows(canvas: Canvas, hit: Collision, faded: float) -> None:
     """What b received, with a solid head, and what a received, with a hollow one."""
     x, y = hits.reach(hit.impulse, PER_IMPULSE, LONGEST)
     ends = (
@@ -167,7 +171,6 @@ def _draw_arrows(canvas: Canvas, hit: Collision, faded: float) -> list[Rect]:
     ]
     # Both are shortened alike, so that they are seen to be equal.
     part = min((free for free in room if free >= SHORTEST), default=1.0)
-    lain: list[Rect] = []
     lane = 0.0
     for (body, other, (dx, dy), kind), edge, free in zip(ends, edges, room, strict=True):
         reach, ball = (dx * part, dy * part), other if body.is_wall else body
@@ -177,12 +180,7 @@ def _draw_arrows(canvas: Canvas, hit: Collision, faded: float) -> list[Rect]:
             # Beside the ball; if that of the wall lies there too, one beside the other.
             start = beside(canvas, ball.position, reach, radius_of(ball) + lane)
             lane = LANE / canvas.view.scale if hit.a.is_wall or hit.b.is_wall else 0.0
-        tip = canvas.arrow(start, reach, kind, faded)
-        tail = canvas.view.to_screen(start)
-        left, top = min(tail.x, tip.x), min(tail.y, tip.y)
-        box = Rect(left, top, abs(tip.x - tail.x), abs(tip.y - tail.y))
-        lain.append(box.inset(-HEAD_ROOM - theme.ARROW_WIDTH))
-    return lain
+        canvas.arrow(start, reach, kind, faded)
 
 
 def radius_of(ball: Body) -> float:

@@ -11,6 +11,7 @@ from screens.kit.bodies import HEAD_ROOM, beside, fitting, leaving
 from screens.kit.canvas import Canvas, bar_room
 from screens.kit.events import Resize, Tap, Tilt
 from screens.kit.geometry import Point, Size
+from screens.kit.impulses import LANE
 from screens.kit.surface import Surface
 
 
@@ -123,3 +124,41 @@ def test_an_arrow_beside_a_body_keeps_off_it_and_goes_to_the_middle_of_the_room(
     tip = canvas.view.to_screen(start).x + 40.0
     assert tip <= canvas.rect.right - HEAD_ROOM
     assert fitting(canvas, start, (40.0, 0.0)) == pytest.approx(1.0, abs=0.1)
+
+
+def test_both_arrows_of_a_hit_without_room_lie_side_by_side_and_in_sight() -> None:
+    """A ball close to the border bounces off an inner wall: neither arrow finds room ahead."""
+    reactions = lesson("reactions")
+    canvas = Canvas(Surface(360, 640), reactions.view.rect, reactions.room)
+    top = reactions.room.top
+    near = [beside(canvas, Vector(0.5, top - 0.4), (0.0, way), 0.25) for way in (60.0, -60.0)]
+    far = beside(canvas, Vector(0.5, top - 0.4), (0.0, -60.0), 0.25 + LANE / canvas.view.scale)
+    assert near[0].x == pytest.approx(near[1].x)
+    assert near[0].x - far.x == pytest.approx(LANE / canvas.view.scale)
+    within = canvas.rect.inset(HEAD_ROOM - 1e-6)
+    for start, way in ((near[0], 60.0), (near[1], -60.0), (far, -60.0)):
+        tail = canvas.view.to_screen(start)
+        assert within.holds(tail)
+        assert within.holds(Point(tail.x, tail.y - way))
+
+
+def test_arrows_lie_over_other_balls_but_not_over_letters() -> None:
+    """In a crowd the head of an arrow and the letter of a ball below it are both seen."""
+    surface = Surface(360, 640)
+    reactions = lesson("reactions")
+    for at in (Point(120, 300), Point(180, 300), Point(232, 300)):
+        reactions.update(Tap(at))
+    first, second, third = reactions.balls
+    first.velocity, second.velocity = (4.0, 0.0), (0.0, 0.0)
+    while not reactions.marks:
+        wait(reactions, 1)
+    third.position = (second.x + 0.9, second.y)
+    reactions.draw(surface)
+    canvas = Canvas(surface, reactions.view.rect, reactions.room)
+    middle = canvas.view.to_screen(third.position)
+    rows, columns = slice(int(middle.y) - 12, int(middle.y) + 13), slice(0, int(middle.x) + 14)
+    pixels = surface.pixels()[rows, int(middle.x) - 13 : columns.stop]
+    red, blue = (pixels >> 16).astype(int), (pixels & 255).astype(int)
+    assert ((red > 200) & (blue < 130)).any()  # orange on a ball
+    letter = pixels[9:16, 10:17]
+    assert ((letter >> 16) < 40).any()
