@@ -49,6 +49,7 @@ SOURCES = (
     "kernels.fields",
     "kernels.following",
     "kernels.impacts",
+    "linkage.answers",
     "linkage.geometry",
     "linkage.impulses",
     "linkage.limb_impacts",

@@ -157,24 +157,6 @@ def book_impact(t: Tables, pair: int, x: float, y: float, jx: float, jy: float) 
         book_wall(t, b, x, y, -jx, -jy)
 
 
-def book_more(t: Tables, pair: int, x: float, y: float, jx: float, jy: float) -> None:
-    """Book what is about to be added to an impact at (x, y) (N s), along the normal."""
-    walls = t.books.wall_work[0]
-    book_impact(t, pair, x, y, jx, jy)
-    work = work_at(t.bodies, t.pairs.a[pair], x, y, -jx, -jy)
-    work += work_at(t.bodies, t.pairs.b[pair], x, y, jx, jy)
-    t.books.restitution_heat[0] += t.books.wall_work[0] - walls - work
-
-
-def work_at(bodies: Bodies, row: int, x: float, y: float, jx: float, jy: float) -> float:
-    """Energy (J) that an impulse (N s) at (x, y) is about to bring to a body."""
-    if bodies.inverse_mass[row] == 0.0:
-        return 0.0
-    turn = (x - bodies.here_x[row]) * jy - (y - bodies.here_y[row]) * jx
-    inverse = bodies.inverse_mass[row]
-    return work_of(bodies, row, inverse * jx, inverse * jy, turn * bodies.inverse_inertia[row])
-
-
 def note_part(bodies: Bodies, row: int) -> None:
     """Note where a body is when a part of the tick begins."""
     bodies.from_x[row] = bodies.x[row]

@@ -9,13 +9,13 @@ it comes second and never reverses the sliding, no impact gains energy.
 
 import math
 
-from engine.kernels.books import book_impact, book_more
+from engine.kernels.books import book_impact
 from engine.kernels.circles import STILL
 from engine.kernels.pose import advance, place_pair
 from engine.kernels.rubbing import belt_speed
 from engine.kernels.sleeping import wake
 from engine.kernels.touches import note_impact
-from engine.linkage.velocities import react
+from engine.linkage.answers import Changes, answer, prepare_answers, react
 from engine.manifolds.any_pair import touching_points
 from engine.tables import FREE, RESTING, Bodies, Tables
 
@@ -186,42 +186,114 @@ def exchange(t: Tables, pair: int, one: int, other: int, bounce: float, time: fl
 def exchange_with_joints(
     t: Tables, pair: int, one: int, other: int, bounce: float, now: float, time: float
 ) -> None:
-    """Let the joints answer to an impact at the same instant, and make it whole.
+    """The same where joints hold one of the two: all that is joined to them answers at once.
 
-    Velocities are linear in the impulse: what the bodies, joints included, answer to the impulse
-    that free bodies would need says how much is lacking.
+    What approaches by a unit impulse, joints included, stands for the inverse masses.
     """
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    prepare_answers(t, a, b, time)
+    x = t.touch.x[one]
+    y = t.touch.y[one]
+    speed = approach(t, pair, one)
+    nx = t.touch.normal_x[0]
+    ny = t.touch.normal_y[0]
+    free = response(t, pair, x, y, nx, ny)
+    yields = closing(t, pair, x, y, nx, ny, push(t, pair, x, y, nx, ny))
+    if yields < YIELDS * free:  # what is jammed hardly moves: rounding must not be divided by
+        yields = free
+        other = -1
+    total = bounce * speed / yields
+    if other >= 0:
+        share, total = share_with_joints(t, pair, one, other, bounce, yields)
+        x += share * (t.touch.x[other] - x)
+        y += share * (t.touch.y[other] - y)
+        speed += share * (approach(t, pair, other) - speed)
+        yields = closing(t, pair, x, y, nx, ny, push(t, pair, x, y, nx, ny))
+        free = response(t, pair, x, y, nx, ny)
+    t.books.restitution_heat[0] += total * (speed - total * yields / 2.0)
+    t.books.joint_work[0] += total * total * (free - yields) / 2.0
+    give_with_joints(t, pair, x, y, total * nx, total * ny, time)
+    belt = belt_speed(t, pair, nx, ny)
+    sliding = slip(t, pair, x, y) + belt
+    free = response(t, pair, x, y, -ny, nx)
+    yields = closing(t, pair, x, y, -ny, nx, push(t, pair, x, y, -ny, nx))
+    if yields < YIELDS * free:
+        yields = free
+    along = -sliding / yields
+    most = t.pairs.friction[pair] * total
+    if along > most:
+        along = most
+    elif along < -most:
+        along = -most
+    t.books.friction_heat[0] -= along * (sliding + along * yields / 2.0)
+    t.books.wall_work[0] -= along * belt
+    t.books.joint_work[0] += along * along * (free - yields) / 2.0
+    if along != 0.0:
+        give_with_joints(t, pair, x, y, -along * ny, along * nx, time)
+    impulse_x = total * nx - along * ny
+    impulse_y = total * ny + along * nx
+    note_impact(t, pair, x, y, impulse_x, impulse_y)
+    book_impact(t, pair, x, y, impulse_x, impulse_y)
+    report(t, pair, x, y, impulse_x, impulse_y, speed, now + time)
+
+
+def push(t: Tables, pair: int, x: float, y: float, jx: float, jy: float) -> Changes:
+    """Changes of velocity by an impulse (N s) at (x, y), given to b and its opposite to a, joints
+    included.
+    """
+    return answer(t, t.pairs.a[pair], t.pairs.b[pair], changes_by(t, pair, x, y, jx, jy))
+
+
+def changes_by(t: Tables, pair: int, x: float, y: float, jx: float, jy: float) -> Changes:
+    """The same of free bodies."""
     bodies = t.bodies
     a = t.pairs.a[pair]
     b = t.pairs.b[pair]
-    before = approach(t, pair, one)
-    old = velocities_of(bodies, a, b)
-    exchange(t, pair, one, other, bounce, now + time)
-    wanted = approach(t, pair, one)
-    react(t, a, b, time, old)
-    row = t.impacts.written[0] - 1
-    normal_x = t.touch.normal_x[0]
-    normal_y = t.touch.normal_y[0]
-    given = t.impacts.impulse_x[row] * normal_x + t.impacts.impulse_y[row] * normal_y
-    reached = approach(t, pair, one)
-    if reached > wanted and before - reached > YIELDS * (before - wanted):
-        more = given * (reached - wanted) / (before - reached)
-        old = velocities_of(bodies, a, b)
-        x = t.impacts.x[row]
-        y = t.impacts.y[row]
-        book_more(t, pair, x, y, more * normal_x, more * normal_y)
-        give(t, pair, x, y, more * normal_x, more * normal_y)
-        note_impact(t, pair, x, y, more * normal_x, more * normal_y)
-        react(t, a, b, time, old)
-        t.impacts.impulse_x[row] += more * normal_x
-        t.impacts.impulse_y[row] += more * normal_y
+    turn_a = (x - bodies.here_x[a]) * jy - (y - bodies.here_y[a]) * jx
+    turn_b = (x - bodies.here_x[b]) * jy - (y - bodies.here_y[b]) * jx
+    return (
+        -bodies.inverse_mass[a] * jx,
+        -bodies.inverse_mass[a] * jy,
+        -bodies.inverse_inertia[a] * turn_a,
+        bodies.inverse_mass[b] * jx,
+        bodies.inverse_mass[b] * jy,
+        bodies.inverse_inertia[b] * turn_b,
+    )
 
 
-def velocities_of(
-    bodies: Bodies, a: int, b: int
-) -> tuple[float, float, float, float, float, float]:
-    """Velocities and spins of two bodies (m/s, rad/s)."""
-    return bodies.vx[a], bodies.vy[a], bodies.spin[a], bodies.vx[b], bodies.vy[b], bodies.spin[b]
+def closing(
+    t: Tables, pair: int, x: float, y: float, along_x: float, along_y: float, by: Changes
+) -> float:
+    """By how much changes of velocity make b leave a along a unit vector, at (x, y) (m/s)."""
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    vx = by[3] - by[5] * (y - bodies.here_y[b]) - by[0] + by[2] * (y - bodies.here_y[a])
+    vy = by[4] + by[5] * (x - bodies.here_x[b]) - by[1] - by[2] * (x - bodies.here_x[a])
+    return vx * along_x + vy * along_y
+
+
+def give_with_joints(
+    t: Tables, pair: int, x: float, y: float, jx: float, jy: float, time: float
+) -> None:
+    """Give the impulse (N s) at (x, y) to b and its opposite to a; let the joints answer."""
+    give(t, pair, x, y, jx, jy)
+    react(t, t.pairs.a[pair], t.pairs.b[pair], time, changes_by(t, pair, x, y, jx, jy))
+
+
+def share_with_joints(
+    t: Tables, pair: int, one: int, other: int, bounce: float, k11: float
+) -> tuple[float, float]:
+    """Solve for both points at once, like `share_of_two`, joints included."""
+    x = t.touch.x[other]
+    y = t.touch.y[other]
+    nx = t.touch.normal_x[0]
+    ny = t.touch.normal_y[0]
+    by = push(t, pair, x, y, nx, ny)
+    k22 = closing(t, pair, x, y, nx, ny, by)
+    k12 = closing(t, pair, t.touch.x[one], t.touch.y[one], nx, ny, by)
+    return split(k11, k12, k22, bounce * approach(t, pair, one), bounce * approach(t, pair, other))
 
 
 def response(t: Tables, pair: int, x: float, y: float, along_x: float, along_y: float) -> float:
@@ -261,9 +333,19 @@ def share_of_two(t: Tables, pair: int, one: int, other: int, bounce: float) -> t
     k12 = mass + a_1 * a_2 * turn_a + b_1 * b_2 * turn_b
     v1 = bounce * approach(t, pair, one)
     v2 = bounce * approach(t, pair, other)
+    return split(k11, k12, k22, v1, v2)
+
+
+def split(k11: float, k12: float, k22: float, v1: float, v2: float) -> tuple[float, float]:
+    """Share of the second of two points and impulse of both, neither pulling, for which
+
+    k11 p1 + k12 p2 = v1 and k12 p1 + k22 p2 = v2 (1/kg, m/s).
+    """
     determinant = k11 * k22 - k12 * k12
-    if determinant <= 1e-12 * k11 * k22:  # bodies that hardly turn: both points are alike
+    if k12 > 0.0 and determinant <= 1e-12 * k11 * k22:  # hardly turn: both are alike
         return 0.5, v1 / k12
+    if determinant <= 0.0:
+        return 0.0, v1 / k11
     p1 = (k22 * v1 - k12 * v2) / determinant
     p2 = (k11 * v2 - k12 * v1) / determinant
     if p2 <= 0.0:

@@ -30,15 +30,15 @@ from engine.kernels.resting import (
 from engine.kernels.sensing import sense_at_end, sense_passing
 from engine.kernels.steady import balance, is_steady
 from engine.kernels.touches import collect, take_back, touch
+from engine.linkage.answers import changed, has_braces
 from engine.linkage.limb_impacts import bone_changed, tree_at
-from engine.linkage.pace import part_for_joints
+from engine.linkage.pace import SHORTEST, part_for_joints
 from engine.linkage.tally import (
     clear_sums,
     joints_act,
     joints_that_act,
     mean_forces,
 )
-from engine.linkage.velocities import changed
 from engine.tables import FREE, IMPACTS_AT_ONCE, NEVER, RESTING, Bodies, Tables
 
 DONE, CROWDED, ESCAPED = 0, 1, 2
@@ -182,7 +182,11 @@ def plan(
     shortest = part_for_joints(t, substep, part, resting)
     if shortest < part * (1.0 - 1e-9):
         part = shortest
-    return part, hold(t, count, resting, now, part, substep), False
+    held = hold(t, count, resting, now, part, substep)
+    while t.bones.sizes[5] > 0 and resting == 0 and part > substep * SHORTEST:
+        part /= 2.0
+        hold(t, count, 0, now, part, substep)
+    return part, held, False
 
 
 def meet_all(
@@ -335,7 +339,7 @@ def look_at_joined(
         queued = look_at_tree(t, tree_a, time, part, queued, strict)
     if tree_b >= 0 and tree_b != tree_a:
         queued = look_at_tree(t, tree_b, time, part, queued, strict)
-    if (t.bodies.joined[a] == 0 or tree_a >= 0) and (t.bodies.joined[b] == 0 or tree_b >= 0):
+    if not has_braces(t, a) and not has_braces(t, b):
         return queued
     for node in range(1, t.braces.sizes[1]):
         if changed(t, node):

@@ -89,29 +89,44 @@ def still_bone(t: Tables, bone: int) -> None:
     t.bones.spin[bone] = 0.0
 
 
-def react_tree(
-    t: Tables,
-    tree: int,
-    a: int,
-    b: int,
-    time: float,
-    old: tuple[float, float, float, float, float, float],
-) -> None:
-    """Let the hinges of a tree answer, at `time` of the part (s), to what changed a and b.
+def answer_of_tree(
+    t: Tables, tree: int, a: int, b: int, change: tuple[float, float, float, float, float, float]
+) -> tuple[float, float, float, float, float, float]:
+    """How velocities of a and b change in all if impulses alone would change them so.
 
     Args:
         t: the tables.
-        tree: which tree.
-        a: row of a body, placed and advanced to the time.
+        tree: which tree, placed.
+        a: row of a body.
         b: another one.
-        time: since the part began (s).
-        old: velocity and spin of a, then of b, before (m/s, rad/s).
+        change: of the velocity and spin of a, then of b (m/s, rad/s).
     """
-    place_tree(t, tree, time)
     still_tree(t, tree)
-    note_change(t, tree, a, old[0], old[1], old[2])
-    note_change(t, tree, b, old[3], old[4], old[5])
+    bones = t.bones
+    of_a = note_change(t, tree, a, change[0], change[1], change[2])
+    of_b = note_change(t, tree, b, change[3], change[4], change[5])
     jolt_tree(t, tree)
+    ax = ay = a_spin = bx = by = b_spin = 0.0
+    if of_a >= 0:
+        ax = bones.lent_x[of_a]
+        ay = bones.lent_y[of_a]
+        a_spin = bones.lent_spin[of_a]
+    if of_b >= 0:
+        bx = bones.lent_x[of_b]
+        by = bones.lent_y[of_b]
+        b_spin = bones.lent_spin[of_b]
+    return (
+        change[0] + ax,
+        change[1] + ay,
+        change[2] + a_spin,
+        change[3] + bx,
+        change[4] + by,
+        change[5] + b_spin,
+    )
+
+
+def commit_tree(t: Tables, tree: int, time: float) -> None:
+    """Let the bodies of a tree have, at `time` of the part (s), what its hinges last answered."""
     limbs = t.limbs
     first = t.trees.first[tree]
     for at in range(first, first + t.trees.limbs[tree]):
@@ -122,13 +137,17 @@ def react_tree(
         jolt_bone(t, t.trees.root[tree], time)
 
 
-def note_change(t: Tables, tree: int, row: int, vx: float, vy: float, spin: float) -> None:
-    """Write the change of a body's velocity (m/s, rad/s) to its bone, if that is of the tree."""
+def note_change(t: Tables, tree: int, row: int, vx: float, vy: float, spin: float) -> int:
+    """Write the change of a body's velocity (m/s, rad/s) to its bone; return it, -1 if that is not
+    of the tree.
+    """
     bone = t.bodies.bone[row] - 1
-    if bone >= 0 and t.bones.tree[bone] == tree:
-        t.bones.vx[bone] = t.bodies.vx[row] - vx
-        t.bones.vy[bone] = t.bodies.vy[row] - vy
-        t.bones.spin[bone] = t.bodies.spin[row] - spin
+    if bone < 0 or t.bones.tree[bone] != tree:
+        return -1
+    t.bones.vx[bone] = vx
+    t.bones.vy[bone] = vy
+    t.bones.spin[bone] = spin
+    return bone
 
 
 def jolt_bone(t: Tables, bone: int, time: float) -> None:

@@ -25,8 +25,11 @@ MOST_STEPS = 40
 CHORDS = 2
 """So many steps are taken with the matrix of the first; then each has its own."""
 
+LOOSE = 1e-3
+"""A tree whose hinges would gape by more after all steps is lost, in reaches of the small body."""
+
 STRIDE = 0.25
-"""Longest step, in reaches of the smaller body."""
+"""Longest step, in the same unit."""
 
 DONE, FORWARD, BACK = 0, 1, 2
 """What the next step of a tree does: none is needed; towards the goal; half the last one back."""
@@ -95,9 +98,28 @@ def bind_limbs(t: Tables, part: float) -> float:
         else:
             for tree in range(t.bones.sizes[3]):
                 step_tree(t, tree)
+    t.bones.sizes[5] = withdraw_lost(t)
     lend_all(t)
     deliver_starts(t)
     return math.sqrt(failed) / part
+
+
+def withdraw_lost(t: Tables) -> int:
+    """Let limbs of trees for which no solution was found exert nothing; return how many there are.
+
+    Their bodies fly on, which gains no energy.
+    """
+    limbs = t.limbs
+    trees = t.trees
+    lost = 0
+    for tree in range(t.bones.sizes[3]):
+        if trees.does[tree] != DONE and not trees.worst[tree] < LOOSE * LOOSE:
+            lost += 1
+            first = trees.first[tree]
+            for at in range(first, first + trees.limbs[tree]):
+                limbs.impulse_x[limbs.member[at]] = 0.0
+                limbs.impulse_y[limbs.member[at]] = 0.0
+    return lost
 
 
 def bend(t: Tables, part: float) -> None:

@@ -18,6 +18,10 @@ WHIP = 0.08
 HANG = 0.049
 """By so much of its oscillation (rad) a tree that hangs on a fixed hinge swings in a part."""
 
+WAVE = 1.2
+"""By so much of its oscillation (rad) the fastest wave along pulled hinges swings in a part: beyond
+2 it would grow without end."""
+
 LONGEST = 2.0
 """Substeps that a part lasts at most."""
 
@@ -31,35 +35,36 @@ SHORTEST = 1.0 / 32.0
 def part_for_joints(t: Tables, substep: float, left: float, resting: int) -> float:
     """Length of the next part (s), of a tick that still lasts for `left` (s).
 
-    A substep while anything but hinges of trees acts.
+    A substep at most while anything but hinges of trees acts.
     """
     fastest = 0.0
     for node in range(1, t.braces.sizes[1]):
         spin = t.bodies.spin[t.nodes.body[node]]
         if spin * spin > fastest:
             fastest = spin * spin
-    swinging, whipping = paces(t)
+    swinging, whipping, waving = paces(t)
     if whipping > fastest:
         fastest = whipping
     fastest = math.sqrt(fastest)
-    part = substep
-    if fastest * substep > MOST_TURN:
-        share = MOST_TURN / (fastest * substep)
-        return substep * (share if share > SHORTEST else SHORTEST)
-    if t.braces.sizes[0] == 0 and resting == 0:
-        most = left / (LONGEST * substep)
-        if swinging * left > most:
-            most = swinging * left
-        if whipping * left * left > WHIP * WHIP * most * most:
-            most = fastest * left / WHIP
-        parts = math.ceil(most - 1e-9)
-        if left > parts * substep:
-            part = left / parts
-    return part
+    waving = math.sqrt(waving) / WAVE
+    if fastest / MOST_TURN > waving:
+        waving = fastest / MOST_TURN
+    if waving * substep > 1.0:
+        return 1.0 / waving if waving * substep * SHORTEST < 1.0 else substep * SHORTEST
+    if t.braces.sizes[0] > 0 or resting > 0:
+        return substep
+    parts = left / (LONGEST * substep)
+    for pace in (swinging, fastest / WHIP, waving):
+        if pace * left > parts:
+            parts = pace * left
+    if not parts * substep < left:
+        return substep
+    return left / math.ceil(parts - 1e-9)
 
 
-def paces(t: Tables) -> tuple[float, float]:
-    """How many parts a second the swinging of the trees asks for; the square of their fastest spin.
+def paces(t: Tables) -> tuple[float, float, float]:
+    """How many parts a second the swinging of the trees asks for; the squares of their fastest spin
+    and of their fastest wave (1/s).
 
     Bodies that turn about the hinge in their centre need no more.
     """
@@ -71,6 +76,7 @@ def paces(t: Tables) -> tuple[float, float]:
         trees.worst[tree] = 0.0
     fastest = 0.0
     slowest = 0.0
+    waving = 0.0
     for k in range(bones.sizes[0]):
         parent = limbs.parent[k]
         spin = 0.0
@@ -87,13 +93,16 @@ def paces(t: Tables) -> tuple[float, float]:
             if spin * spin > square:
                 square = spin * spin
         trees.worst[limbs.tree[k]] += square
+        wave = wave_at(t, k, parent)
+        if wave > waving:
+            waving = wave
         if square > fastest:
             fastest = square
     for tree in range(bones.sizes[3]):
         pace = math.sqrt(trees.worst[tree] / trees.limbs[tree]) / SWING
         if pace > slowest:
             slowest = pace
-    return slowest, fastest
+    return slowest, fastest, waving
 
 
 def hanging_pace(t: Tables, k: int) -> float:
@@ -103,3 +112,24 @@ def hanging_pace(t: Tables, k: int) -> float:
     ay = t.bodies.ay[row]
     length = t.limbs.hangs[k]
     return math.sqrt(math.sqrt(ax * ax + ay * ay) / length) if length > 0.0 else 0.0
+
+
+def wave_at(t: Tables, k: int, parent: int) -> float:
+    """Squared circular frequency (1/s^2) of bodies that turn to and fro as a hinge pulls.
+
+    That is the fastest wave of a chain: each link turns against the next, its centre at rest.
+    """
+    joint = t.limbs.joint[k]
+    bones = t.bones
+    x = t.limbs.child_x[k]
+    y = t.limbs.child_y[k]
+    lever = math.sqrt(x * x + y * y) * t.bodies.inverse_inertia[bones.body[k]]
+    if parent < bones.sizes[1]:
+        x = t.limbs.parent_x[k]
+        y = t.limbs.parent_y[k]
+        other = math.sqrt(x * x + y * y) * t.bodies.inverse_inertia[bones.body[parent]]
+        if other > lever:
+            lever = other
+    x = t.joints.end_0[joint]
+    y = t.joints.end_1[joint]
+    return 2.0 * lever * math.sqrt(x * x + y * y)

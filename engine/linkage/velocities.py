@@ -1,14 +1,7 @@
-"""Joints at an instant: the impulses for which velocities obey the constraints.
+"""Joints at the end of each part: the impulses for which velocities obey the constraints."""
 
-That is the case at the end of each part (`ease`), and when something strikes a joined body: the
-bodies joined to it answer at the same instant (`react`).
-"""
-
-from engine.kernels.books import book_jolt
-from engine.kernels.pose import advance
-from engine.linkage.geometry import aim, place_node, place_nodes
+from engine.linkage.geometry import aim, place_nodes
 from engine.linkage.impulses import add_up, lend, noted_impulse, solve_for, take
-from engine.linkage.limb_impacts import react_tree, tree_at
 from engine.linkage.limb_motion import ease_limbs, keep_limb_ends, prepare_limbs
 from engine.linkage.modes import DRIVEN, ELASTIC, STRAINED, coordinate_row
 from engine.linkage.skyline import assemble, factorise, solve
@@ -152,93 +145,3 @@ def rate_of(t: Tables, arm: int) -> float:
         + arms.y[arm] * (nodes.vy[node] + nodes.lent_y[node])
         + arms.turn[arm] * (nodes.spin[node] + nodes.lent_spin[node])
     )
-
-
-def react(
-    t: Tables, a: int, b: int, time: float, old: tuple[float, float, float, float, float, float]
-) -> None:
-    """Let the joints answer, at `time` of the part (s), to what changed the velocities of a and b.
-
-    Args:
-        t: the tables.
-        a: row of a body, placed and advanced to the time.
-        b: another one.
-        time: since the part began (s).
-        old: velocity and spin of a, then of b, before (m/s, rad/s).
-    """
-    tree_a = tree_at(t, a)
-    tree_b = tree_at(t, b)
-    if tree_a >= 0:
-        react_tree(t, tree_a, a, b, time, old)
-    if tree_b >= 0 and tree_b != tree_a:
-        react_tree(t, tree_b, a, b, time, old)
-    if (t.bodies.joined[a] == 1 and tree_a < 0) or (t.bodies.joined[b] == 1 and tree_b < 0):
-        react_braces(t, a, b, time, old)
-
-
-def react_braces(
-    t: Tables, a: int, b: int, time: float, old: tuple[float, float, float, float, float, float]
-) -> None:
-    """Do so with the joints that are no hinges of trees."""
-    t.braces.sizes[5] = 0
-    place_in_flight(t, time)
-    begin_instant(t)
-    note_changes(t, a, old[0], old[1], old[2])
-    note_changes(t, b, old[3], old[4], old[5])
-    for _ in range(MOST_CHANGES):
-        find_rates(t, False)
-        renew(t)
-        solve(t)
-        if not take(t, 0.0, False, True):
-            break
-    add_up(t)
-    nodes = t.nodes
-    bodies = t.bodies
-    for node in range(1, t.braces.sizes[1]):
-        if changed(t, node):
-            row = nodes.body[node]
-            advance(bodies, row, time)
-            book_jolt(t, row, nodes.lent_x[node], nodes.lent_y[node], nodes.lent_spin[node])
-            bodies.vx[row] += nodes.lent_x[node]
-            bodies.vy[row] += nodes.lent_y[node]
-            bodies.spin[row] += nodes.lent_spin[node]
-
-
-def changed(t: Tables, node: int) -> bool:
-    """Whether joints last changed the velocity of a node."""
-    nodes = t.nodes
-    return nodes.lent_x[node] != 0.0 or nodes.lent_y[node] != 0.0 or nodes.lent_spin[node] != 0.0
-
-
-def place_in_flight(t: Tables, time: float) -> None:
-    """Place the nodes where their bodies are at `time` of the part (s); velocities are nothing."""
-    nodes = t.nodes
-    bodies = t.bodies
-    for node in range(1, t.braces.sizes[1]):
-        row = nodes.body[node]
-        passed = time - bodies.clock[row]
-        half = passed * passed / 2.0
-        x = bodies.x[row] + bodies.vx[row] * passed
-        y = bodies.y[row] + bodies.vy[row] * passed
-        angle = bodies.angle[row] + bodies.spin[row] * passed
-        if bodies.inverse_mass[row] > 0.0:
-            x += bodies.path_x[row] * half
-            y += bodies.path_y[row] * half
-            angle += bodies.path_spin[row] * half
-        place_node(t, node, x, y, angle)
-        nodes.vx[node] = 0.0
-        nodes.vy[node] = 0.0
-        nodes.spin[node] = 0.0
-        nodes.lent_x[node] = 0.0
-        nodes.lent_y[node] = 0.0
-        nodes.lent_spin[node] = 0.0
-
-
-def note_changes(t: Tables, row: int, vx: float, vy: float, spin: float) -> None:
-    """Write the change of a body's velocity (m/s, rad/s) to its node, if it has one."""
-    nodes = t.nodes
-    for node in range(1, t.braces.sizes[1]):
-        if nodes.body[node] == row:
-            nodes.vx[node] = t.bodies.vx[row] - vx
-            nodes.vy[node] = t.bodies.vy[row] - vy
-            nodes.spin[node] = t.bodies.spin[row] - spin

@@ -276,7 +276,7 @@ class Bones(NamedTuple):
     """Row in `Trees`; of no use for those that are held."""
     sizes: Ints
     """How many limbs, movable bones, bones and trees there are, and whether the limbs are placed
-    for the poses in which the bodies are now (a list of its own)."""
+    for the poses in which the bodies are now; how many trees are lost (a list of its own)."""
     mass: Floats
     """(kg)"""
     inverse_mass: Floats

@@ -1,0 +1,157 @@
+"""Joints at the instant in which something strikes a joined body: all that is joined to it answers.
+
+Velocities are linear in impulses, as long as no limit lets go: what a body with its joints answers
+to a unit impulse (`answer`) says which impulse an impact takes, and what answers to that (`react`).
+"""
+
+from engine.kernels.books import book_jolt
+from engine.kernels.pose import advance
+from engine.linkage.geometry import place_node
+from engine.linkage.impulses import add_up, take
+from engine.linkage.limb_impacts import (
+    answer_of_tree,
+    commit_tree,
+    place_tree,
+    tree_at,
+)
+from engine.linkage.skyline import solve
+from engine.linkage.velocities import MOST_CHANGES, begin_instant, find_rates, renew
+from engine.tables import Tables
+
+Changes = tuple[float, float, float, float, float, float]
+"""Of the velocity and spin of a, then of b (m/s, rad/s)."""
+
+
+def prepare_answers(t: Tables, a: int, b: int, time: float) -> None:
+    """Place what is joined to a and b where it is at `time` of the part (s)."""
+    tree_a = tree_at(t, a)
+    tree_b = tree_at(t, b)
+    if tree_a >= 0:
+        place_tree(t, tree_a, time)
+    if tree_b >= 0 and tree_b != tree_a:
+        place_tree(t, tree_b, time)
+    if has_braces(t, a) or has_braces(t, b):
+        t.braces.sizes[5] = 0
+        place_in_flight(t, time)
+        begin_instant(t)
+        renew(t)
+
+
+def has_braces(t: Tables, row: int) -> bool:
+    """Whether joints hold a body that are no hinges of a tree."""
+    return t.bodies.joined[row] == 1 and t.bodies.bone[row] == 0
+
+
+def answer(t: Tables, a: int, b: int, change: Changes) -> Changes:
+    """How velocities of a and b change in all if impulses alone would change them so; joints lend
+    the rest to what has been placed.
+    """
+    tree_a = tree_at(t, a)
+    tree_b = tree_at(t, b)
+    in_all = change
+    if tree_a >= 0:
+        in_all = answer_of_tree(t, tree_a, a, b, in_all)
+    if tree_b >= 0 and tree_b != tree_a:
+        in_all = answer_of_tree(t, tree_b, a, b, in_all)
+    if has_braces(t, a) or has_braces(t, b):
+        in_all = answer_of_braces(t, a, b, in_all)
+    return in_all
+
+
+def answer_of_braces(t: Tables, a: int, b: int, change: Changes) -> Changes:
+    """The same for the joints that are no hinges of trees."""
+    for row in range(t.braces.sizes[2]):
+        t.equations.impulse[row] = 0.0
+    for node in range(1, t.braces.sizes[1]):
+        still(t, node)
+    node_a = note_change(t, a, change[0], change[1], change[2])
+    node_b = note_change(t, b, change[3], change[4], change[5])
+    for _ in range(MOST_CHANGES):
+        find_rates(t, False)
+        solve(t)
+        if not take(t, 0.0, False, True):
+            break
+        renew(t)
+    nodes = t.nodes
+    return (
+        change[0] + nodes.lent_x[node_a],
+        change[1] + nodes.lent_y[node_a],
+        change[2] + nodes.lent_spin[node_a],
+        change[3] + nodes.lent_x[node_b],
+        change[4] + nodes.lent_y[node_b],
+        change[5] + nodes.lent_spin[node_b],
+    )
+
+
+def react(t: Tables, a: int, b: int, time: float, change: Changes) -> None:
+    """Let the joints answer, at `time` of the part (s), to what changed the velocities of a and b.
+
+    Everything has been placed. What lent to a and b changes them further.
+    """
+    answer(t, a, b, change)
+    tree_a = tree_at(t, a)
+    tree_b = tree_at(t, b)
+    if tree_a >= 0:
+        commit_tree(t, tree_a, time)
+    if tree_b >= 0 and tree_b != tree_a:
+        commit_tree(t, tree_b, time)
+    if not has_braces(t, a) and not has_braces(t, b):
+        return
+    add_up(t)
+    nodes = t.nodes
+    bodies = t.bodies
+    for node in range(1, t.braces.sizes[1]):
+        if changed(t, node):
+            row = nodes.body[node]
+            advance(bodies, row, time)
+            book_jolt(t, row, nodes.lent_x[node], nodes.lent_y[node], nodes.lent_spin[node])
+            bodies.vx[row] += nodes.lent_x[node]
+            bodies.vy[row] += nodes.lent_y[node]
+            bodies.spin[row] += nodes.lent_spin[node]
+
+
+def still(t: Tables, node: int) -> None:
+    """Let a node not move."""
+    nodes = t.nodes
+    nodes.vx[node] = 0.0
+    nodes.vy[node] = 0.0
+    nodes.spin[node] = 0.0
+    nodes.lent_x[node] = 0.0
+    nodes.lent_y[node] = 0.0
+    nodes.lent_spin[node] = 0.0
+
+
+def changed(t: Tables, node: int) -> bool:
+    """Whether joints last changed the velocity of a node."""
+    nodes = t.nodes
+    return nodes.lent_x[node] != 0.0 or nodes.lent_y[node] != 0.0 or nodes.lent_spin[node] != 0.0
+
+
+def place_in_flight(t: Tables, time: float) -> None:
+    """Place the nodes where their bodies are at `time` of the part (s)."""
+    nodes = t.nodes
+    bodies = t.bodies
+    for node in range(1, t.braces.sizes[1]):
+        row = nodes.body[node]
+        passed = time - bodies.clock[row]
+        half = passed * passed / 2.0
+        x = bodies.x[row] + bodies.vx[row] * passed
+        y = bodies.y[row] + bodies.vy[row] * passed
+        angle = bodies.angle[row] + bodies.spin[row] * passed
+        if bodies.inverse_mass[row] > 0.0:
+            x += bodies.path_x[row] * half
+            y += bodies.path_y[row] * half
+            angle += bodies.path_spin[row] * half
+        place_node(t, node, x, y, angle)
+
+
+def note_change(t: Tables, row: int, vx: float, vy: float, spin: float) -> int:
+    """Write the change of a body's velocity (m/s, rad/s) to its node; return it, 0 if it has none."""
+    nodes = t.nodes
+    for node in range(1, t.braces.sizes[1]):
+        if nodes.body[node] == row:
+            nodes.vx[node] = vx
+            nodes.vy[node] = vy
+            nodes.spin[node] = spin
+            return node
+    return 0
