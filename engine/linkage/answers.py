@@ -146,7 +146,7 @@ def place_in_flight(t: Tables, time: float) -> None:
 
 
 def note_change(t: Tables, row: int, vx: float, vy: float, spin: float) -> int:
-    """Write the change of a body's velocity (m/s, rad/s) to its node; return it, 0 if it has none."""
+    """Write the change of a body's velocity (m/s, rad/s) to its node; return that, 0 for none."""
     nodes = t.nodes
     for node in range(1, t.braces.sizes[1]):
         if nodes.body[node] == row:
