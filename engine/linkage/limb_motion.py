@@ -25,6 +25,9 @@ MOST_STEPS = 40
 CHORDS = 2
 """So many steps are taken with the matrix of the first; then each has its own."""
 
+STILL = 1e-12
+"""Hinges that open no faster are at rest, in reaches of the smaller body a second (1/s)."""
+
 LOOSE = 1e-3
 """A tree whose hinges would gape by more after all steps is lost, in reaches of the small body."""
 
@@ -88,6 +91,9 @@ def bind_limbs(t: Tables, part: float) -> float:
         if step == 0:
             failed = note_first(t)
         going, alike = choose_steps(t)
+        if going == 0 and step == 0:
+            t.bones.sizes[5] = 0
+            return math.sqrt(failed) / part
         if going == 0:
             break
         if renewing:
@@ -339,28 +345,53 @@ def ease_limbs(t: Tables) -> float:
         return 0.0
     read_ends(t)
     failed = find_hinge_rates(t)
-    solve_all(t)
-    limbs = t.limbs
-    for k in range(t.bones.sizes[0]):
-        limbs.impulse_x[k] += limbs.answer_x[k]
-        limbs.impulse_y[k] += limbs.answer_y[k]
+    going = 0
+    for tree in range(t.bones.sizes[3]):
+        if t.trees.worst[tree] > STILL * STILL:
+            going += 1
+    if going == 0:
+        return math.sqrt(failed)
+    if going == t.bones.sizes[3]:
+        solve_all(t)
+        for k in range(t.bones.sizes[0]):
+            t.limbs.impulse_x[k] += t.limbs.answer_x[k]
+            t.limbs.impulse_y[k] += t.limbs.answer_y[k]
+    else:
+        for tree in range(t.bones.sizes[3]):
+            if t.trees.worst[tree] > STILL * STILL:
+                ease_tree(t, tree)
     lend_all(t)
     deliver_ends(t)
     return math.sqrt(failed)
 
 
+def ease_tree(t: Tables, tree: int) -> None:
+    """Find the impulses of one tree."""
+    solve_tree(t, tree)
+    first = t.trees.first[tree]
+    for at in range(first, first + t.trees.limbs[tree]):
+        step_limb(t, t.limbs.member[at], False)
+
+
 def find_hinge_rates(t: Tables) -> float:
     """Want all hinges to open no more; return the fastest, in sizes of joints a second, squared."""
     limbs = t.limbs
-    worst = 0.0
+    worst = t.trees.worst
+    for tree in range(t.bones.sizes[3]):
+        worst[tree] = 0.0
     for k in range(t.bones.sizes[0]):
         find_hinge_rate(t, k)
+        tree = limbs.tree[k]
         x = limbs.rate_x[k]
         y = limbs.rate_y[k]
         size = (x * x + y * y) * limbs.scale[k]
-        if size > worst:
-            worst = size
-    return worst
+        if size > worst[tree]:
+            worst[tree] = size
+    fastest = 0.0
+    for tree in range(t.bones.sizes[3]):
+        if worst[tree] > fastest:
+            fastest = worst[tree]
+    return fastest
 
 
 def find_hinge_rate(t: Tables, k: int) -> None:

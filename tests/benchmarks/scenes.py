@@ -8,6 +8,8 @@ from typing import Any
 
 GRAVITY = -9.81
 
+Point = tuple[float, float]
+
 States = list[tuple[float, float, float, float, float, float]]
 """Of each body: x, y, angle, vx, vy, spin."""
 
@@ -171,10 +173,64 @@ def chains(count: int, links: int) -> Scene:
     return Scene(name, GRAVITY, 0.0, 0.5, build, 30, stretch, "gap in a joint (m)")
 
 
+LIMBS = (
+    # Centre and half sizes of each part of a doll, which part it is pinned to, and where (m).
+    ((0.0, 1.25), (0.2, 0.2), None, (0.0, 0.0)),
+    ((0.0, 0.9), (0.17, 0.15), 0, (0.0, 1.05)),
+    ((0.0, 1.6), (0.1, 0.15), 0, (0.0, 1.45)),
+    ((-0.4, 1.4), (0.2, 0.05), 0, (-0.2, 1.4)),
+    ((-0.8, 1.4), (0.2, 0.05), 3, (-0.6, 1.4)),
+    ((0.4, 1.4), (0.2, 0.05), 0, (0.2, 1.4)),
+    ((0.8, 1.4), (0.2, 0.05), 5, (0.6, 1.4)),
+    ((-0.1, 0.55), (0.06, 0.2), 1, (-0.1, 0.75)),
+    ((-0.1, 0.15), (0.06, 0.2), 7, (-0.1, 0.35)),
+    ((0.1, 0.55), (0.06, 0.2), 1, (0.1, 0.75)),
+    ((0.1, 0.15), (0.06, 0.2), 9, (0.1, 0.35)),
+)
+
+
+def ragdolls(count: int) -> Scene:
+    """Dolls of eleven boxes on ten pins each, that fall on a floor side by side."""
+    joints: list[tuple[int, Point, int, Point]] = []
+
+    def build(engine: Any) -> list[Any]:
+        joints.clear()
+        engine.wall((-10.0, 0.0), (3.0 * count + 10.0, 0.0))
+        bodies: list[Any] = []
+        for k in range(count):
+            left, low, first = 3.0 * k, 0.5 + 0.1 * (k % 5), len(bodies)
+            for (x, y), (width, height), other, (pin_x, pin_y) in LIMBS:
+                bodies.append(engine.box(left + x, low + y, 2 * width, 2 * height))
+                if other is not None:
+                    engine.pin(bodies[first + other], bodies[-1], left + pin_x, low + pin_y)
+                    centre = LIMBS[other][0]
+                    on_other = (pin_x - centre[0], pin_y - centre[1])
+                    joints.append(
+                        (first + other, on_other, len(bodies) - 1, (pin_x - x, pin_y - y))
+                    )
+        return bodies
+
+    def stretch(before: States, after: States) -> float:
+        del before
+        return max(
+            math.dist(seen(after[a], at_a), seen(after[b], at_b)) for a, at_a, b, at_b in joints
+        )
+
+    name = f"{count} ragdolls of 10 joints"
+    return Scene(name, GRAVITY, 0.0, 0.5, build, 30, stretch, "gap in a joint (m)")
+
+
+def seen(state: tuple[float, ...], at: Point) -> Point:
+    """Where a point of a body is in the world (m)."""
+    cos, sin = math.cos(state[2]), math.sin(state[2])
+    return state[0] + cos * at[0] - sin * at[1], state[1] + sin * at[0] + cos * at[1]
+
+
 SHORT = (gas(12), gas(100), pile(), pyramid(10))
 """Scenes that take a moment."""
 
 LONG = (
     gas(1000), gas(4000), pyramid(20), pyramid(40), bin_of(300), bin_of(2000), chains(25, 20),
+    ragdolls(50),
 )  # fmt: skip
 """Scenes that take minutes."""
