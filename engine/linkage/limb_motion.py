@@ -28,6 +28,9 @@ CHORDS = 2
 STILL = 1e-12
 """Hinges that open no faster are at rest, in reaches of the smaller body a second (1/s)."""
 
+SURE = 0.1
+"""Share of the tolerance that a step is expected to miss by if it is not looked at again."""
+
 LOOSE = 1e-3
 """A tree whose hinges would gape by more after all steps is lost, in reaches of the small body."""
 
@@ -90,7 +93,7 @@ def bind_limbs(t: Tables, part: float) -> float:
         measure_limbs(t, part, renewing)
         if step == 0:
             failed = note_first(t)
-        going, alike = choose_steps(t)
+        going, alike, sure = choose_steps(t)
         if going == 0 and step == 0:
             t.bones.sizes[5] = 0
             return math.sqrt(failed) / part
@@ -104,6 +107,8 @@ def bind_limbs(t: Tables, part: float) -> float:
         else:
             for tree in range(t.bones.sizes[3]):
                 step_tree(t, tree)
+        if sure:
+            break
     t.bones.sizes[5] = withdraw_lost(t)
     lend_all(t)
     deliver_starts(t)
@@ -119,7 +124,7 @@ def withdraw_lost(t: Tables) -> int:
     trees = t.trees
     lost = 0
     for tree in range(t.bones.sizes[3]):
-        if trees.does[tree] != DONE and not trees.worst[tree] < LOOSE * LOOSE:
+        if trees.does[tree] != DONE and not trees.worst[tree] <= LOOSE * LOOSE:
             lost += 1
             first = trees.first[tree]
             for at in range(first, first + trees.limbs[tree]):
@@ -213,11 +218,15 @@ def note_first(t: Tables) -> float:
     return failed
 
 
-def choose_steps(t: Tables) -> tuple[int, bool]:
-    """Say what each tree does next; return how many go on, and whether all do a whole step."""
+def choose_steps(t: Tables) -> tuple[int, bool, bool]:
+    """Say what each tree does next; return how many go on, whether all do a whole step, and whether
+    that is sure to be the last: what a step misses is nearly the product of this miss and the one
+    for which the matrix was made.
+    """
     trees = t.trees
     going = 0
     alike = True
+    sure = True
     for tree in range(t.bones.sizes[3]):
         worst = trees.worst[tree]
         trees.share[tree] = 1.0
@@ -229,13 +238,16 @@ def choose_steps(t: Tables) -> tuple[int, bool]:
         if worst > trees.before[tree]:
             trees.does[tree] = BACK
             alike = False
+            sure = False
             continue
+        made_for = trees.before[tree] if trees.before[tree] < 1.0 else worst
+        sure = sure and worst * made_for <= SURE * SURE * TIGHT * TIGHT
         trees.before[tree] = worst
         trees.does[tree] = FORWARD
         if worst > STRIDE * STRIDE:
             trees.share[tree] = STRIDE / math.sqrt(worst)
             alike = False
-    return going, alike
+    return going, alike, sure
 
 
 def take_all(t: Tables) -> None:
