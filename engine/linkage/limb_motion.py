@@ -56,6 +56,7 @@ def brace_limbs(t: Tables, part: float) -> None:
         gather_masses(t)
         stand(t)
     t.bones.sizes[4] = 0
+    t.bones.sizes[6] = 0
     for bone in range(t.bones.sizes[1]):
         t.bones.sum_x[bone] = 0.0
         t.bones.sum_y[bone] = 0.0
@@ -89,11 +90,11 @@ def bind_limbs(t: Tables, part: float) -> float:
     failed = 0.0
     for step in range(MOST_STEPS):
         bend(t, part)
-        renewing = step == 0 or step >= CHORDS
+        renewing = t.bones.sizes[6] == 0 or step >= CHORDS
         measure_limbs(t, part, renewing)
         if step == 0:
             failed = note_first(t)
-        going, alike, sure = choose_steps(t)
+        going, alike, sure = choose_steps(t, renewing)
         if going == 0 and step == 0:
             t.bones.sizes[5] = 0
             return math.sqrt(failed) / part
@@ -101,6 +102,7 @@ def bind_limbs(t: Tables, part: float) -> float:
             break
         if renewing:
             resolve(t)
+            t.bones.sizes[6] = 1
         if alike:
             solve_all(t)
             take_all(t)
@@ -218,7 +220,7 @@ def note_first(t: Tables) -> float:
     return failed
 
 
-def choose_steps(t: Tables) -> tuple[int, bool, bool]:
+def choose_steps(t: Tables, renewing: bool) -> tuple[int, bool, bool]:
     """Say what each tree does next; return how many go on, whether all do a whole step, and whether
     that is sure to be the last: what a step misses is nearly the product of this miss and the one
     for which the matrix was made.
@@ -230,6 +232,8 @@ def choose_steps(t: Tables) -> tuple[int, bool, bool]:
     for tree in range(t.bones.sizes[3]):
         worst = trees.worst[tree]
         trees.share[tree] = 1.0
+        if renewing:
+            trees.made_for[tree] = worst
         if worst <= TIGHT * TIGHT:
             trees.does[tree] = DONE
             alike = False
@@ -240,7 +244,7 @@ def choose_steps(t: Tables) -> tuple[int, bool, bool]:
             alike = False
             sure = False
             continue
-        made_for = trees.before[tree] if trees.before[tree] < 1.0 else worst
+        made_for = trees.made_for[tree] if trees.made_for[tree] > worst else worst
         sure = sure and worst * made_for <= SURE * SURE * TIGHT * TIGHT
         trees.before[tree] = worst
         trees.does[tree] = FORWARD

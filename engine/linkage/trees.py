@@ -100,7 +100,7 @@ def fill_trees(t: Tables, trees: list[Tree], movable: set[int], row_of: dict[int
     held = sorted({tree.root for tree in trees} - movable)
     bodies = [*(limb.child for limb in order), *roots, *held]
     bone_of = {body: bone for bone, body in enumerate(bodies)}
-    bones, limbs = allocate(Bones, max(6, len(bodies))), allocate(Limbs, max(1, len(order)))
+    bones, limbs = allocate(Bones, max(7, len(bodies))), allocate(Limbs, max(1, len(order)))
     sizes = (len(order), len(bodies) - len(held), len(bodies), len(trees))
     np.asarray(bones.sizes)[:4] = sizes
     np.asarray(t.bodies.bone)[:] = 0

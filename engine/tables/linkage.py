@@ -276,7 +276,8 @@ class Bones(NamedTuple):
     """Row in `Trees`; of no use for those that are held."""
     sizes: Ints
     """How many limbs, movable bones, bones and trees there are, and whether the limbs are placed
-    for the poses in which the bodies are now; how many trees are lost (a list of its own)."""
+    for the poses in which the bodies are now; how many trees are lost; and whether the limbs are
+    resolved for the end of the present part (a list of its own)."""
     mass: Floats
     """(kg)"""
     inverse_mass: Floats
@@ -344,5 +345,5 @@ class Trees(NamedTuple):
     """The same one step before."""
     share: Floats
     """Of the step to take."""
-    first_miss: Floats
-    """The miss before the first step."""
+    made_for: Floats
+    """The same as the matrix was made."""
