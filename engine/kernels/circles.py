@@ -7,6 +7,9 @@ from engine.tables import NEVER, Tables
 STILL = 1e-9
 """Speed below which two touching bodies do not approach (m/s): rounding, no threshold to bounce."""
 
+ROUNDING = 1e-14
+"""The same for fast bodies, as a share of their speeds: what rounding leaves after an impact."""
+
 CLEAR = 1e-4
 """Gap that straight flights keep as long as they are foreseen to be clear, as a share of the
 smaller body's reach: far more than any rounding, and more than what comes to rest."""
@@ -64,7 +67,7 @@ def discs_meet(
     room = distance * distance - reach * reach
     square = vx * vx + vy * vy
     if room <= 0.0:  # they touch, or overlap by rounding
-        if -closing > STILL * distance:
+        if -closing > stillness(t, pair) * distance:
             meet(t, pair, start, -closing / distance if distance > 0.0 else math.sqrt(square))
         return
     root = closing * closing - square * room
@@ -72,8 +75,18 @@ def discs_meet(
         return
     root = math.sqrt(root)
     time = start + room / (root - closing)
-    if time <= end and root > STILL * reach:
+    if time <= end and root > stillness(t, pair) * reach:
         meet(t, pair, time, root / reach)
+
+
+def stillness(t: Tables, pair: int) -> float:
+    """Speed (m/s) below which the bodies of a pair, if they touch, do not approach."""
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    fast = abs(bodies.vx[a]) + abs(bodies.vy[a]) + abs(bodies.vx[b]) + abs(bodies.vy[b])
+    fast += abs(bodies.spin[a]) * bodies.reach[a] + abs(bodies.spin[b]) * bodies.reach[b]
+    return STILL + ROUNDING * fast
 
 
 def meet(t: Tables, pair: int, time: float, speed: float) -> None:

@@ -8,7 +8,7 @@ of the tick (or, when relaxing, at its end), so that angular momentum is kept to
 """
 
 from engine.kernels.books import book_relax, book_turn, note_part
-from engine.kernels.following import follow, share_of_b
+from engine.kernels.following import TUMBLING, follow, share_of_b, turning
 from engine.kernels.rubbing import outruns_forces, resist_rolling
 from engine.linkage.positions import bind, brace, follow_joints, keep_impulses
 from engine.linkage.tally import joints_act
@@ -21,6 +21,12 @@ second (1/s): at rest one sweep is enough."""
 
 MOST_SWEEPS = 8
 """Sweeps that a part has at most."""
+
+VIOLENT = 100.0
+"""Where forces or contacts change a velocity by more within a part, in reaches a second (1/s),"""
+
+PATIENT_SWEEPS = 1000
+"""a part has so many sweeps at most: what they leave is a share of that change."""
 
 STEADY_SWEEPS = 2
 """Sweeps of a steady part at most, and twice as many to relax."""
@@ -40,14 +46,21 @@ which a sweep takes little."""
 def kick(t: Tables, resting: int, count: int, part: float) -> None:
     """Find what velocities the bodies have at the end of the part (s); bend their paths to it."""
     bodies = t.bodies
+    violent = is_violent(t, resting)
     for row in range(count):
         if bodies.held[row] > 0:
-            bodies.kick_x[row] = bodies.vx[row] + bodies.ax[row] * part
-            bodies.kick_y[row] = bodies.vy[row] + bodies.ay[row] * part
+            ax = bodies.ax[row]
+            ay = bodies.ay[row]
+            bodies.kick_x[row] = bodies.vx[row] + ax * part
+            bodies.kick_y[row] = bodies.vy[row] + ay * part
             bodies.kick_spin[row] = bodies.spin[row] + bodies.aspin[row] * part
+            if (abs(ax) + abs(ay)) * part > VIOLENT * bodies.reach[row]:
+                violent = True
     brace(t, part)
+    if violent:
+        harden(t, resting)
     warm_start(t, resting)
-    for _ in range(MOST_SWEEPS):
+    for _ in range(PATIENT_SWEEPS if violent else MOST_SWEEPS):
         wild = sweep(t, resting, CALM)
         failed = bind(t, part)
         if not wild and (resting == 0 or failed <= CALM):
@@ -59,6 +72,26 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
             bodies.path_y[row] = (bodies.kick_y[row] - bodies.vy[row]) / part
             bodies.path_spin[row] = (bodies.kick_spin[row] - bodies.spin[row]) / part
             note_part(bodies, row)
+
+
+def is_violent(t: Tables, resting: int) -> bool:
+    """Whether a contact carried more in its last part than forces of everyday life make it."""
+    pairs = t.pairs
+    for k in range(resting):
+        pair = pairs.resting[k]
+        if pairs.carried[pair] > VIOLENT * pairs.size[pair]:
+            return True
+    return False
+
+
+def harden(t: Tables, resting: int) -> None:
+    """Take all springs for rigid: loads that are immense go through contacts that cannot know."""
+    contacts = t.contacts
+    for k in range(resting):
+        pair = t.pairs.resting[k]
+        for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
+            contacts.hardness[row] = contacts.normal_mass[row]
+            contacts.softness[row] = 0.0
 
 
 def relax(t: Tables, resting: int, count: int, part: float, done: float, steady: bool) -> None:
@@ -79,7 +112,7 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
     for k in range(resting):
         pair = t.pairs.resting[k]
         t.pairs.acting[pair] = 0
-        if t.pairs.state[pair] == RESTING:
+        if t.pairs.state[pair] == RESTING and turning(t, pair, part) <= TUMBLING:
             remember(t, pair)
             follow(t, pair, BARELY)
             stiffen(t, pair, part)
@@ -89,7 +122,8 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
     if steady:
         sweep_until_calm(t, left, 2 * STEADY_SWEEPS, STILL)
     else:
-        for i in range(1, MOST_SWEEPS + 1):
+        violent = is_violent(t, left)
+        for i in range(1, (PATIENT_SWEEPS if violent else MOST_SWEEPS) + 1):
             wild = sweep(t, left, CALM)
             failed = ease(t)
             if not wild and (left == 0 or (failed <= CALM and i >= TO_RELAX)):

@@ -20,6 +20,11 @@ TURN = 4.0
 """So often does what turns the normal count: rotation, and any way of a round body."""
 
 
+TUMBLING = 0.5
+"""What turns on a contact by more than this within a part does not rest on it (rad): its corners
+strike, and no point can be followed."""
+
+
 def follow(t: Tables, pair: int, least: float) -> None:
     """Measure the contact for the middle poses of its bodies, if these moved by more than `least`
     (reaches of the smaller one).
@@ -80,6 +85,18 @@ def follow(t: Tables, pair: int, least: float) -> None:
 def has_drifted(t: Tables, pair: int) -> bool:
     """Whether the points of a pair have to be found anew."""
     return t.pairs.points[pair] == 0 or t.pairs.drift[pair] > DRIFT * t.pairs.size[pair]
+
+
+def turning(t: Tables, pair: int, lasts: float) -> float:
+    """By how much the bodies of a pair turn on each other within `lasts` seconds (rad), if at least
+    one of them is no disc about its centre.
+    """
+    turn = 0.0
+    if t.pieces.swing[t.pairs.piece_a[pair]] > 0.0:
+        turn += abs(t.bodies.spin[t.pairs.a[pair]])
+    if t.pieces.swing[t.pairs.piece_b[pair]] > 0.0:
+        turn += abs(t.bodies.spin[t.pairs.b[pair]])
+    return turn * lasts
 
 
 def share_of_b(t: Tables, pair: int) -> float:

@@ -10,7 +10,7 @@ it comes second and never reverses the sliding, no impact gains energy.
 import math
 
 from engine.kernels.books import book_impact
-from engine.kernels.circles import STILL
+from engine.kernels.circles import stillness
 from engine.kernels.pose import advance, place_pair
 from engine.kernels.rubbing import belt_speed
 from engine.kernels.sleeping import wake
@@ -86,16 +86,17 @@ def strike(
 def choose_points(t: Tables, pair: int, points: int, early: float) -> tuple[int, int, float]:
     """Which of the points in `Touch` take part (-1: none), and the fastest approach (m/s)."""
     first = approach(t, pair, 0)
+    still = stillness(t, pair)
     if points == 1:
-        return (0, -1, first) if first > STILL else (-1, -1, first)
+        return (0, -1, first) if first > still else (-1, -1, first)
     second = approach(t, pair, 1)
     gap_0 = t.touch.gap[0]
     gap_1 = t.touch.gap[1]
     within = (gap_0 if gap_0 < gap_1 else gap_1) + 1e-8 * t.pairs.size[pair]
     if within < 0.0:
         within = 0.0
-    hits_0 = first > STILL and gap_0 <= within + first * early
-    hits_1 = second > STILL and gap_1 <= within + second * early
+    hits_0 = first > still and gap_0 <= within + first * early
+    hits_1 = second > still and gap_1 <= within + second * early
     if hits_0 and hits_1:
         if first >= second:
             return 0, 1, first
@@ -140,7 +141,7 @@ def stays(t: Tables, pair: int, leaving: float, shortest: float, again: bool) ->
             fall = acceleration(bodies, a) + acceleration(bodies, b)
         else:
             fall = (of_a if of_a > 0.0 else -of_a) + (of_b if of_b > 0.0 else -of_b)
-    return leaving <= STILL or 2.0 * leaving < fall * shortest
+    return leaving <= stillness(t, pair) or 2.0 * leaving < fall * shortest
 
 
 def acceleration(bodies: Bodies, row: int) -> float:

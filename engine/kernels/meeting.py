@@ -8,7 +8,6 @@ negative; a bracketed secant (Illinois) then finds where it was zero, to roundin
 import math
 
 from engine.kernels.circles import (
-    STILL,
     both_discs,
     circle_meets_wall,
     circles_meet,
@@ -16,6 +15,7 @@ from engine.kernels.circles import (
     meet,
     room_at_wall,
     stays_clear,
+    stillness,
     wall_of,
 )
 from engine.kernels.pose import place, place_pair, velocity_at
@@ -26,6 +26,12 @@ from engine.tables import FREE, NEVER, PASSING, RESTING, SENSING, Tables
 ZERO_GAP = 1e-10
 """Gap that counts as touching, as a share of the smaller body's reach."""
 
+
+MOST_LOOKS = 1024
+"""So often two surfaces that stay close are looked at within a part; then its rest is cut in:"""
+
+LAST_LOOKS = 64
+"""so many pieces. What turns a thousand times within a part may then touch unnoticed."""
 
 NOWHERE = -1e300
 """Speed of approach of bodies that have no point to touch at (m/s)."""
@@ -233,11 +239,12 @@ def search(t: Tables, pair: int, start: float, end: float, bound: float) -> None
         t.pairs.apart[pair] = gap - bound * (end - start)
         return
     tiny = ZERO_GAP * t.pairs.size[pair]
+    still = stillness(t, pair)
     inner = t.pieces.inner[t.pairs.piece_a[pair]] + t.pieces.inner[t.pairs.piece_b[pair]]
     piece = 0.25 * inner / bound if bound > 0.0 else end - start
     if gap <= tiny:
         speed = approach_at(t, pair, start)
-        if speed > STILL:
+        if speed > still:
             meet(t, pair, start, speed)
             return
         time = start + flight(t, pair, -speed, piece)
@@ -246,10 +253,14 @@ def search(t: Tables, pair: int, start: float, end: float, bound: float) -> None
         gap = gap_at(t, pair, time)
         if gap <= tiny:  # they slide or turn on each other
             speed = approach_at(t, pair, time)
-            if speed > STILL:
+            if speed > still:
                 meet(t, pair, time, speed)
                 return
+    looks = 0
     while time < end:
+        looks += 1
+        if looks == MOST_LOOKS:
+            piece = (end - time) / LAST_LOOKS
         step = gap / bound if gap > piece * bound else piece
         later = time + step if time + step < end else end
         after = gap_at(t, pair, later)
@@ -257,7 +268,7 @@ def search(t: Tables, pair: int, start: float, end: float, bound: float) -> None
             if after < 0.0 < gap:
                 later = root(t, pair, time, gap, later, after)
             speed = approach_at(t, pair, later)
-            if speed > STILL:
+            if speed > still:
                 meet(t, pair, later, speed)
                 return
         time = later

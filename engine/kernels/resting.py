@@ -5,9 +5,9 @@ is over: what forces do within a substep explains its motion. Nothing else decid
 impact; there is no speed below which bodies do not bounce.
 """
 
-from engine.kernels.circles import STILL, wall_of
+from engine.kernels.circles import stillness, wall_of
 from engine.kernels.contacts import kick
-from engine.kernels.following import find_points, follow, has_drifted
+from engine.kernels.following import TUMBLING, find_points, follow, has_drifted, turning
 from engine.kernels.impacts import acceleration, stays, strike
 from engine.kernels.meeting import NOWHERE, approach_at, notice_passing, slides_over
 from engine.kernels.sleeping import wake
@@ -112,7 +112,7 @@ def comes_to_rest(t: Tables, pair: int, shortest: float) -> bool:
     gap = t.touch.gap[0]
     if gap > TOUCHING * size:
         return False
-    if gap < -OVERLAP * size and -size < speed <= STILL:
+    if gap < -OVERLAP * size and -size < speed <= stillness(t, pair):
         return True
     return stays(t, pair, speed if speed > 0.0 else -speed, shortest, True)
 
@@ -249,6 +249,8 @@ def prepare(
             contacts.target[row] = bias if bias > -PUSH * size else -PUSH * size
             contacts.hardness[row] = contacts.normal_mass[row] * (1.0 - soft)
             contacts.softness[row] = soft
+    if turning(t, pair, part) > TUMBLING:
+        return PARTED
     if lowest > KEEPING * size or (lowest > -OVERLAP * size and fastest < -explained):
         return PARTED
     return SLAPS if slaps else HOLDS
@@ -264,10 +266,10 @@ def explained_speed(t: Tables, pair: int, part: float) -> float:
     of_a = bodies.ax[a] * nx + bodies.ay[a] * ny
     of_b = bodies.ax[b] * nx + bodies.ay[b] * ny
     fall = (of_a if of_a > 0.0 else -of_a) + (of_b if of_b > 0.0 else -of_b)
-    return 2.0 * (fall * part + t.pairs.carried[pair]) + STILL
+    return 2.0 * (fall * part + t.pairs.carried[pair]) + stillness(t, pair)
 
 
 def settling_speed(t: Tables, pair: int, part: float) -> float:
     """The same where other contacts may turn forces into any direction (m/s)."""
     fall = acceleration(t.bodies, t.pairs.a[pair]) + acceleration(t.bodies, t.pairs.b[pair])
-    return 2.0 * (fall * part + t.pairs.carried[pair]) + STILL
+    return 2.0 * (fall * part + t.pairs.carried[pair]) + stillness(t, pair)

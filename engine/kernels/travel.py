@@ -8,6 +8,7 @@ of pairs holds.
 from engine.kernels.books import book_lead, book_part
 from engine.kernels.contacts import correct_arms, relax
 from engine.kernels.fields import lead_of_euler
+from engine.kernels.following import turning
 from engine.kernels.impacts import strike
 from engine.kernels.meeting import (
     approach_at,
@@ -46,6 +47,10 @@ DONE, CROWDED, ESCAPED = 0, 1, 2
 
 MOST = 1e100
 """Numbers beyond this (SI units) are those of a world that diverged."""
+
+PLUNGE = 0.01
+"""A pair that comes to rest is not looked at until its part is over, unless it turns by more than
+this meanwhile (rad), so that another corner would plunge in: then the part ends."""
 
 TOGETHER = 1e-12
 """Meetings closer in time than this happen at once (s): the fastest is then first."""
@@ -255,6 +260,8 @@ def meet_in_order(
             collect(t, pair, 1.0)
         written[1] += 1
         if rests and held == 0 and time < part:
+            return DONE, time, queued
+        if rests and written[1] < limit and turning(t, pair, part - time) > PLUNGE:
             return DONE, time, queued
         if t.bodies.joined[a] == 1 or t.bodies.joined[b] == 1:
             written[1] += joints_that_act(t) // 8  # joints make it dear: give up sooner

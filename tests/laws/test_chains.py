@@ -71,7 +71,7 @@ def test_an_incline_of_walls_is_an_incline(shape: Shape) -> None:
 
 
 @pytest.mark.parametrize("shape", SLIDERS)
-@pytest.mark.parametrize("speed", [3.0, 30.0])
+@pytest.mark.parametrize("speed", [3.0, 30.0, 300.0])
 def test_a_concave_corner_stops(shape: Shape, speed: float) -> None:
     """Plastic: what comes along the floor stays at the wall, at once."""
     world = World(gravity=(0, -9.81))
@@ -83,7 +83,7 @@ def test_a_concave_corner_stops(shape: Shape, speed: float) -> None:
     assert hits[0].normal == pytest.approx((-1, 0), abs=1e-6)
     for _ in range(60):
         world.step()
-        assert max(x for line in body.outlines for x, _ in line) < 3.0 + 1e-3 * speed
+        assert max(x for line in body.outlines for x, _ in line) < 3.0 + 2e-3
 
 
 @pytest.mark.parametrize("shape", SLIDERS)
