@@ -71,6 +71,7 @@ SOURCES = (
     "kernels.meeting",
     "kernels.neighbours",
     "kernels.pairing",
+    "kernels.parting",
     "kernels.pose",
     "kernels.resting",
     "kernels.rubbing",

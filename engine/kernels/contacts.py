@@ -9,6 +9,7 @@ of the tick (or, when relaxing, at its end), so that angular momentum is kept to
 
 from engine.kernels.books import book_relax, book_turn, note_part
 from engine.kernels.following import TUMBLING, follow, share_of_b, turning
+from engine.kernels.parting import part_gently
 from engine.kernels.rubbing import outruns_forces, resist_rolling
 from engine.linkage.positions import bind, brace, follow_joints, keep_impulses
 from engine.linkage.tally import joints_act
@@ -128,6 +129,7 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
             failed = ease(t)
             if not wild and (left == 0 or (failed <= CALM and i >= TO_RELAX)):
                 break
+    part_gently(t, left, part * done)
     keep_ends(t, part, done)
     book_relax(t, left, count)
     for row in range(count):
