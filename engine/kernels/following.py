@@ -25,6 +25,10 @@ TUMBLING = 0.5
 strike, and no point can be followed."""
 
 
+BURIED = 1e-3
+"""Distance of the centres of two discs that counts as none, in reaches of the smaller one."""
+
+
 def follow(t: Tables, pair: int, least: float) -> None:
     """Measure the contact for the middle poses of its bodies, if these moved by more than `least`
     (reaches of the smaller one).
@@ -52,7 +56,7 @@ def follow(t: Tables, pair: int, least: float) -> None:
     if moved + turned <= least * size:
         return
     if t.pieces.corners[piece_a] == 1 or t.pieces.corners[piece_b] == 1:
-        moved *= 1.0 + TURN
+        moved *= 1.0 + TURN * turns_by_moving(t, pair, size)
     pairs.drift[pair] += moved + TURN * turned
     pairs.seen_x[pair] = way_x
     pairs.seen_y[pair] = way_y
@@ -80,6 +84,20 @@ def follow(t: Tables, pair: int, least: float) -> None:
         contacts.tangent_arm_a[row] = tangent_arm
         contacts.normal_arm_b[row] = normal_arm + way_t
         contacts.tangent_arm_b[row] = tangent_arm - way_n
+
+
+def turns_by_moving(t: Tables, pair: int, size: float) -> float:
+    """By how much a way of `size` (m) turns the normal of a pair with a round body, roughly (rad).
+
+    Discs whose centres are closer than that turn it by more.
+    """
+    pairs = t.pairs
+    if t.pieces.corners[pairs.piece_a[pair]] == 1 and t.pieces.corners[pairs.piece_b[pair]] == 1:
+        across = pairs.seen_x[pair] * pairs.normal_x[pair]
+        across = abs(across + pairs.seen_y[pair] * pairs.normal_y[pair])
+        if across < size:
+            return size / (across + BURIED * size)
+    return 1.0
 
 
 def has_drifted(t: Tables, pair: int) -> bool:

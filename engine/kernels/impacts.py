@@ -3,8 +3,9 @@
 The impulse along the normal is the exact answer for a single impact (thesis, eq. 40, with e for
 restitution): P = -(1 + e) v_n / (1/m_a + 1/m_b + (r_a x n)^2/I_a + (r_b x n)^2/I_b). Two points of
 one pair that meet at the same instant (a side that lands flat) share it so that both leave with e
-times their approach. Friction follows as an impulse against the sliding, at most mu times P; as
-it comes second and never reverses the sliding, no impact gains energy.
+times their approach. Friction follows as an impulse against the sliding, at most mu times P, or as
+much as stops it where static friction holds; as it comes second and never reverses the sliding, no
+impact gains energy.
 """
 
 import math
@@ -164,16 +165,15 @@ def exchange(t: Tables, pair: int, one: int, other: int, bounce: float, time: fl
         speed += share * (approach(t, pair, other) - speed)
     stiffness = response(t, pair, x, y, normal_x, normal_y)
     t.books.restitution_heat[0] += total * (speed - total * stiffness / 2.0)
-    give(t, pair, x, y, total * normal_x, total * normal_y)
     belt = belt_speed(t, pair, normal_x, normal_y)
+    before = slip(t, pair, x, y) + belt
+    give(t, pair, x, y, total * normal_x, total * normal_y)
     sliding = slip(t, pair, x, y) + belt
     stiffness = response(t, pair, x, y, -normal_y, normal_x)
     along = -sliding / stiffness
     most = t.pairs.friction[pair] * total
-    if along > most:
-        along = most
-    elif along < -most:
-        along = -most
+    if (along > most or along < -most) and not sticks(t, pair, before, sliding, stiffness, total):
+        along = most if along > 0.0 else -most
     t.books.friction_heat[0] -= along * (sliding + along * stiffness / 2.0)
     t.books.wall_work[0] -= along * belt
     give(t, pair, x, y, -along * normal_y, along * normal_x)
@@ -182,6 +182,35 @@ def exchange(t: Tables, pair: int, one: int, other: int, bounce: float, time: fl
     note_impact(t, pair, x, y, impulse_x, impulse_y)
     book_impact(t, pair, x, y, impulse_x, impulse_y)
     report(t, pair, x, y, impulse_x, impulse_y, speed, time)
+
+
+def sticks(
+    t: Tables, pair: int, before: float, after: float, stiffness: float, total: float
+) -> bool:
+    """Whether static friction holds a pair for which kinetic friction is too weak (Routh, "Dynamics
+    of a System of Rigid Bodies", 1905, art. 187).
+
+    As the normal impulse grows, the sliding changes by a fixed rate, which friction of either kind
+    opposes. It must have come to an end by kinetic friction, or not have been there; then static
+    friction holds if it is no weaker than the rate.
+
+    Args:
+        t: the tables.
+        pair: which pair.
+        before: sliding before the normal impulse (m/s).
+        after: sliding after it, without friction (m/s).
+        stiffness: change of the sliding by a unit impulse along it (1/kg).
+        total: the normal impulse (N s).
+    """
+    grip = t.pairs.static_friction[pair]
+    friction = t.pairs.friction[pair]
+    driven = after - before
+    if grip <= friction or abs(driven) > grip * stiffness * total:
+        return False
+    with_it = driven if before > 0.0 else -driven
+    return abs(before) <= stillness(t, pair) or (
+        abs(before) + with_it <= friction * stiffness * total
+    )
 
 
 def exchange_with_joints(

@@ -3,11 +3,14 @@
 The springs of resting contacts push overlaps apart by velocities that they lend for a part of a
 tick, and contacts that only push take them back (see `contacts`). Where many bodies overlap in one
 place, most contacts carry nothing and have nothing to take back. So between bodies that overlap
-deeply an impulse may also pull: they leave each other no faster than when the part began. That is a
+deeply an impulse may also pull: it stops what leaves no faster than a push makes it. That is a
 plastic impact, which can only take energy.
 """
 
 from engine.tables import Tables
+
+PUSH = 2.0
+"""Fastest correction of an overlap, in reaches of the smaller body a second (1/s)."""
 
 DEEP = 0.02
 """Overlap from which on bodies are parted so, in reaches of the smaller one: far beyond what
@@ -47,8 +50,8 @@ def part_gently(t: Tables, resting: int, part: float) -> None:
 
 
 def aim(t: Tables, pair: int, part: float) -> None:
-    """Set with which speed the points of a contact may leave each other (m/s): that of the start of
-    the part (s).
+    """Set with which speed the points of a contact may leave each other (m/s): with none, unless
+    they did so faster than by a push when the part (s) began.
     """
     bodies = t.bodies
     contacts = t.contacts
@@ -63,7 +66,7 @@ def aim(t: Tables, pair: int, part: float) -> None:
     for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
         leaves = vx * nx + vy * ny
         leaves += spin_b * contacts.normal_arm_b[row] - spin_a * contacts.normal_arm_a[row]
-        contacts.target[row] = -leaves if leaves > 0.0 else 0.0
+        contacts.target[row] = -leaves if leaves > PUSH * t.pairs.size[pair] else 0.0
 
 
 def pull(t: Tables, resting: int) -> bool:

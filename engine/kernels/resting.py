@@ -10,6 +10,7 @@ from engine.kernels.contacts import kick
 from engine.kernels.following import TUMBLING, find_points, follow, has_drifted, turning
 from engine.kernels.impacts import acceleration, stays, strike
 from engine.kernels.meeting import NOWHERE, approach_at, notice_passing, slides_over
+from engine.kernels.parting import PUSH
 from engine.kernels.sleeping import wake
 from engine.kernels.spring import frequency, softness, softness_left
 from engine.kernels.steady import let_go
@@ -25,9 +26,6 @@ KEEPING = 5e-3
 
 OVERLAP = 1e-3
 """Overlap that has to be pushed apart whatever the motion, in the same unit."""
-
-PUSH = 2.0
-"""Fastest correction of an overlap, in reaches of the smaller body a second (1/s)."""
 
 HOLDS, PARTED, SLAPS = 0, 1, 2
 """What a resting pair does when a part begins: it goes on to rest; it has let go; a point of it

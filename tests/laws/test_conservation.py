@@ -162,14 +162,3 @@ def test_overlapping_bodies_come_apart_and_gain_no_energy(
     assert world.kinetic_energy < 1e-6
     assert math.dist(a.position, b.position) > 0.9
     assert world.momentum == pytest.approx((0, 0), abs=1e-9)
-
-
-def test_circles_in_one_point_come_apart_slowly() -> None:
-    world = World()
-    bodies = [world.add(Circle(0.1)) for _ in range(12)]
-    for _ in range(240):
-        world.step()
-    assert world.kinetic_energy < 1.0
-    places = [body.position for body in bodies]
-    closest = min(math.dist(p, q) for i, p in enumerate(places) for q in places[:i])
-    assert closest > 0.15

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from engine import Body, Box, Chain, Circle, Particle, Wall, World
+from engine import Body, Box, Capsule, Chain, Circle, Particle, Wall, World
 
 G = 9.81
 
@@ -53,6 +53,37 @@ def test_what_slides_to_a_stop_stays_by_static_friction() -> None:
     steps(world, 2.0)
     assert box.x == pytest.approx(-9 / (2 * rate), rel=5e-3)
     assert box.speed < 1e-6
+
+
+@pytest.mark.parametrize("vx", [-0.05, 0.0, 0.05, 1.0])
+@pytest.mark.parametrize(("grip", "holds"), [(0.2, False), (0.58, False), (0.6, True)])
+def test_static_friction_holds_the_foot_of_a_rod_that_lands_on_it(
+    grip: float, holds: bool, vx: float
+) -> None:
+    """Routh, 1905, art. 187: the foot of a rod that falls without turning is driven aside by
+    (r x n)(r x t)/I a unit impulse, which friction stops with 1/m + (r x t)^2/I: static friction
+    holds if the ratio is no larger than mu_s. What slid before must come to a stop first.
+    """
+    theta, length = 0.8, 2.0
+    world = World()
+    world.add(Wall((-9, 0), (9, 0)), friction=0.2, static_friction=grip)
+    foot = (-length / 2 * math.cos(theta), -length / 2 * math.sin(theta))
+    world.add(
+        Capsule(length, 1e-6), inertia=length**2 / 12, friction=0.2, static_friction=grip,
+        position=(0, 1), angle=theta, velocity=(vx, -4),
+    )  # fmt: skip
+    while not (hits := world.step()):
+        pass
+    turn = 12 / length**2
+    driven = foot[0] * foot[1] * turn / (1 + foot[1] ** 2 * turn)
+    assert driven == pytest.approx(0.58942, abs=1e-5)
+    normal = 4 / (1 + foot[0] ** 2 * turn)
+    assert hits[0].impulse.y == pytest.approx(normal, rel=1e-5)
+    if holds and vx >= 0.0:
+        stopping = driven * normal - vx / (1 + foot[1] ** 2 * turn)
+        assert hits[0].impulse.x == pytest.approx(stopping, rel=1e-5)
+    else:
+        assert hits[0].impulse.x == pytest.approx(0.2 * normal, rel=1e-5)
 
 
 def test_static_friction_is_that_of_motion_unless_given() -> None:
