@@ -29,8 +29,14 @@ def main() -> None:
 
             traceback.print_exc()
         else:
-            said = " ".join(str(error).split()) or type(error).__name__
-            streams.say(f"laws: something went wrong: {said}; run again with --debug for details")
+            streams.say(f"laws: {_sentence(error)}")
         sys.exit(1)
     finally:
         gc.freeze()  # nothing to look for any more: the process ends
+
+
+def _sentence(error: Exception) -> str:
+    if isinstance(error, streams.ResultLost):
+        return str(error)
+    said = " ".join(str(error).split()) or type(error).__name__
+    return f"something went wrong: {said}; run again with --debug for details"

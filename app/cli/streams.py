@@ -1,5 +1,6 @@
 """Where words go: results to stdout, words for people to stderr, whatever state these are in."""
 
+import errno
 import os
 import sys
 from typing import TextIO
@@ -17,12 +18,24 @@ def prepare() -> None:
             stream.reconfigure(encoding=encoding, errors="replace")
 
 
+class ResultLost(Exception):
+    """What a command found out could not be written; the sentence says why."""
+
+
 def result(text: str) -> None:
-    """Write a line to stdout; if nobody reads it any more, go on in silence."""
+    """Write a line to stdout; if nobody reads it any more, go on in silence.
+
+    Raises:
+        ResultLost: if it cannot be written, as on a full disk.
+    """
     try:
         print(text, flush=True)  # noqa: T201
     except BrokenPipeError:
         _silence(sys.stdout)
+    except OSError as error:
+        _silence(sys.stdout)
+        reason = "the disk is full" if error.errno == errno.ENOSPC else error.strerror
+        raise ResultLost(f"cannot write the result to standard output: {reason}") from error
 
 
 def say(text: str) -> None:

@@ -18,6 +18,9 @@ GOOD = 12
 CANDIDATES = 4096
 """Colours compared at once; of more new ones in one frame, the commonest stand for entries."""
 
+PART = 1 << 20
+"""Pixels looked at together: what is worked out for each of them takes many times its own room."""
+
 _Steps = tuple[tuple[int, int], ...]
 
 _TOLERANCE: _Steps = ((64, 1), (112, 8), (160, 16), (200, 28))
@@ -45,19 +48,28 @@ class Palette:
 
     def __call__(self, pixels: NDArray[np.uint32]) -> NDArray[np.uint8]:
         """The index of the entry that stands for each pixel: exact, or the nearest there is."""
-        indices = self._table.take(pixels, mode="clip")
-        unknown = indices == TRANSPARENT
-        if unknown.any():
-            indices[unknown] = self._learn(pixels[unknown])
-        return indices
+        flat, indices = pixels.reshape(-1), np.empty(pixels.size, np.uint8)
+        parts = [slice(at, at + PART) for at in range(0, pixels.size, PART)]
+        unknown = []
+        for part in parts:
+            # With this mode `take` needs no room besides.
+            self._table.take(flat[part], out=indices[part], mode="clip")
+            unknown.append(np.flatnonzero(indices[part] == TRANSPARENT))
+        if any(places.size for places in unknown):
+            new = [flat[part][places] for part, places in zip(parts, unknown, strict=True)]
+            values, nearest = self._learn(*_counted(new))
+            for part, places, met in zip(parts, unknown, new, strict=True):
+                indices[part][places] = nearest[np.searchsorted(values, met)]
+        return indices.reshape(pixels.shape)
 
     def colours(self) -> bytes:
         """The table as a GIF stores it: red, green, blue for each of the 256 entries."""
         return self._colours.astype(np.uint8).tobytes()
 
-    def _learn(self, pixels: NDArray[np.uint32]) -> NDArray[np.uint8]:
-        """Give entries to the most telling of the unknown colours, then each pixel its nearest."""
-        values, inverse, counts = np.unique(pixels, return_inverse=True, return_counts=True)
+    def _learn(
+        self, values: NDArray[np.uint32], counts: NDArray[np.intp]
+    ) -> tuple[NDArray[np.uint32], NDArray[np.uint8]]:
+        """Give entries to the most telling of the unknown colours; return all and their nearest."""
         rgb = np.stack([(values >> shift) & 0xFF for shift in (16, 8, 0)], axis=1).astype(np.int32)
         flat = counts >= FLAT
         common = np.argsort(-counts, kind="stable")[:CANDIDATES]
@@ -71,7 +83,7 @@ class Palette:
             nearest[part] = 1 + squares.argmin(axis=1)
             settled = (squares.min(axis=1) <= GOOD**2) | (self._used == SIZE)
             self._table[values[part][settled]] = nearest[part][settled]
-        return nearest[inverse]
+        return values, nearest
 
     def _admit(
         self,
@@ -98,3 +110,12 @@ class Palette:
         for channel in range(3):
             total += (rgb[:, channel, None] - entries[None, :, channel]) ** 2
         return total
+
+
+def _counted(parts: Sequence[NDArray[np.uint32]]) -> tuple[NDArray[np.uint32], NDArray[np.intp]]:
+    """Each colour that is met in any part, in ascending order, and how often it is."""
+    each = [np.unique(part, return_counts=True) for part in parts]
+    values, place = np.unique(np.concatenate([met for met, _ in each]), return_inverse=True)
+    counts = np.zeros(len(values), np.intp)
+    np.add.at(counts, place, np.concatenate([times for _, times in each]))
+    return values, counts

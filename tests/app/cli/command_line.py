@@ -27,17 +27,18 @@ steps:
 """A second of film: 3 N on 2 kg for half a second."""
 
 
-def laws(*arguments, folder, interpreter=(), **environment):
-    """Run `laws` in a folder; its exit code, stdout and stderr."""
+def laws(*arguments, folder, interpreter=(), stdout=subprocess.PIPE, **environment):
+    """Run `laws` in a folder; its exit code, stdout (unless it goes elsewhere) and stderr."""
     done = subprocess.run(
         [sys.executable, *interpreter, "-m", "app.cli", *map(str, arguments)],
         cwd=folder,
-        capture_output=True,
+        stdout=stdout,
+        stderr=subprocess.PIPE,
         env=surroundings(**environment),
         timeout=120,
         check=False,
     )
-    return done.returncode, done.stdout.decode(), done.stderr.decode()
+    return done.returncode, (done.stdout or b"").decode(), done.stderr.decode()
 
 
 def start(*arguments, folder):

@@ -1,4 +1,5 @@
 import json
+from pathlib import Path
 
 import pytest
 from command_line import PUSH, files, laws
@@ -121,3 +122,14 @@ def test_nothing_heavy_is_imported_before_it_is_used(command, push, tmp_path):
     }
     assert "typer" in imported
     assert imported.isdisjoint({"pygame", "av", "numba", "PIL", "rich"})
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a disk that is always full")
+@pytest.mark.parametrize("arguments", [("list",), ("list", "--json"), ("schema",)])
+def test_a_result_that_cannot_be_written_is_no_riddle(arguments, tmp_path):
+    with open("/dev/full", "w") as full:
+        code, _, err = laws(*arguments, folder=tmp_path, stdout=full)
+    assert (code, err) == (
+        1,
+        "laws: cannot write the result to standard output: the disk is full\n",
+    )

@@ -1,5 +1,7 @@
 import numpy as np
+import pytest
 
+from app.outputs import palette as module
 from app.outputs.palette import FLAT, SIZE, TRANSPARENT, Palette
 
 
@@ -51,3 +53,17 @@ def test_entries_never_change() -> None:
     kept = before.any(axis=1)
     assert kept[1:3].all()
     assert np.array_equal(rgb(palette)[kept], before[kept])
+
+
+def test_it_does_not_matter_how_much_is_looked_at_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Large pictures are taken in parts, which needs far less memory."""
+    dice = np.random.default_rng(1)
+    colours = dice.integers(0, 1 << 24, 900, dtype=np.uint32)
+    pictures = [colours[dice.integers(0, count, (70, 90))] for count in (40, 300, 900)]
+    films = []
+    for part in (1 << 20, 1000):
+        monkeypatch.setattr(module, "PART", part)
+        palette = Palette(((1, 2, 3),))
+        indices = [palette(picture).tolist() for picture in pictures]
+        films.append((indices, palette(pictures[0][:0]).tolist(), palette.colours()))
+    assert films[0] == films[1]
