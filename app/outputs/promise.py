@@ -8,6 +8,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+from app.outputs import leftovers
+
 FRAME_NAME = re.compile(r"frame-\d{5,}\.png")
 """What a folder may hold and still be replaced: only frames of ours."""
 
@@ -81,8 +83,9 @@ def _check_target(path: str | os.PathLike[str], target: Path, folder: bool) -> N
 class Promise:
     """A file, or a folder of frames, in the making.
 
-    It grows under a hidden name in the folder of its target (a rename across disks would copy).
-    `keep` gives it its name at once; `drop` leaves everything as it was before.
+    It grows under a hidden name in the folder of its target (a rename across disks would copy);
+    what killed runs left there is removed. `keep` gives it its name at once; `drop` leaves
+    everything as it was before.
     """
 
     def __init__(self, path: str | os.PathLike[str], *, folder: bool = False) -> None:
@@ -90,11 +93,13 @@ class Promise:
         self.path = os.fspath(path)
         self._folder = folder
         self._made: list[Path] = []
+        self._held: int | None = None
         check_place(path, folder=folder)
         self._target = Path(os.path.realpath(path))
         with explained(path):
             try:
                 self._make_parents()
+                leftovers.clear(self._target)
                 self.part = self._claim()
                 """Where to write until it is kept."""
             except OSError:
@@ -113,6 +118,7 @@ class Promise:
         except OutputError:
             self.drop()
             raise
+        self._let_go()
 
     def drop(self) -> None:
         """Remove what was begun; calling it again, or after `keep`, does nothing."""
@@ -121,7 +127,12 @@ class Promise:
         else:
             with suppress(OSError):
                 self.part.unlink()
+        self._let_go()
         self._remove_parents()
+
+    def _let_go(self) -> None:
+        leftovers.let_go(self._held)
+        self._held = None
 
     def _make_parents(self) -> None:
         missing = []
@@ -147,8 +158,9 @@ class Promise:
                     part.mkdir()
                 else:
                     part.touch(exist_ok=False)
+                self._held = leftovers.hold(part)
             except FileExistsError:
-                continue  # a second output of the same name, or what a killed process left
+                continue  # a second output of the same name
             return part
         raise FileExistsError(errno.EEXIST, "too many unfinished files lie beside it")
 
