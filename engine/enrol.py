@@ -107,6 +107,8 @@ def write_piece(t: Tables, shape: Piece, body: int, row: int, corner: int) -> No
     p.body[row], p.first[row], p.corners[row] = body, corner, len(points)
     p.radius[row], p.one_sided[row] = radius, int(shape.one_sided)
     p.before[row], p.after[row] = shape.before, shape.after
+    p.seams[row] = int(bool(shape.seams))
+    write_seams(t.corners, shape, corner)
     p.x[row], p.y[row] = shape.center
     p.reach[row] = radius + max(math.dist(point, shape.center) for point in points)
     centered = len(points) == 1 and points[0] == (0.0, 0.0)
@@ -127,6 +129,19 @@ def write_corners(c: Corners, shape: Piece, row: int) -> float:
         depth = ((start.x - shape.center.x) * y - (start.y - shape.center.y) * x) / length
         inner = min(inner, depth)
     return inner if len(points) > 2 else 0.0
+
+
+def write_seams(c: Corners, shape: Piece, row: int) -> None:
+    """Write what is a piece's own of its corners and sides, from `row` on."""
+    for k in range(row, row + len(shape.corners)):
+        c.kind[k] = 0
+        c.low_x[k] = c.low_y[k] = c.high_x[k] = c.high_y[k] = 0.0
+        c.cover_start[k], c.cover_end[k] = 0.0, -1.0
+    for k, seam in enumerate(shape.seams, start=row):
+        c.kind[k] = seam.kind
+        c.low_x[k], c.low_y[k] = seam.low
+        c.high_x[k], c.high_y[k] = seam.high
+        c.cover_start[k], c.cover_end[k] = seam.start, seam.end
 
 
 def _inertness(

@@ -68,6 +68,7 @@ SOURCES = (
     "manifolds.link",
     "manifolds.round_hull",
     "manifolds.round_round",
+    "manifolds.seam",
     "kernels.meeting",
     "kernels.neighbours",
     "kernels.pairing",

@@ -78,6 +78,8 @@ AT_MOST = {
     "bodies.category": ALL,
     "bodies.mask": ALL,
     "pieces.one_sided": 1,
+    "pieces.seams": 1,
+    "corners.kind": 3,
     "state.stale": 1,
     "joints.kind": len(JOINTS) - 1,
     "joints.motor": 1,

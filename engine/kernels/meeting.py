@@ -168,13 +168,16 @@ def find_meeting(t: Tables, pair: int, start: float, end: float) -> None:
 
 
 def slides_over(t: Tables, pair: int, speed: float, lasts: float) -> bool:
-    """Whether a body that rests on one link of a chain comes to another one at a speed (m/s).
+    """Whether what rests on one link of a chain, or piece of a body, comes to another (m/s).
 
     That is no impact, unless it is faster than forces explain within `lasts` seconds.
     """
     bodies = t.bodies
     pairs = t.pairs
-    if not is_link(t.pieces, pairs.piece_a[pair]) and not is_link(t.pieces, pairs.piece_b[pair]):
+    piece_a = pairs.piece_a[pair]
+    piece_b = pairs.piece_b[pair]
+    joined = t.pieces.seams[piece_a] + t.pieces.seams[piece_b]
+    if joined == 0 and not is_link(t.pieces, piece_a) and not is_link(t.pieces, piece_b):
         return False
     a = pairs.a[pair]
     b = pairs.b[pair]

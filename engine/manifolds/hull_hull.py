@@ -192,7 +192,7 @@ def clip(
         if not lower:
             touch.feature[0] = touch.feature[1]
         if along < 0.0 or along > length:
-            joined = pieces.before[reference] + pieces.after[reference]
+            joined = pieces.before[reference] + pieces.after[reference] + pieces.seams[reference]
             if joined > 0 or (rounding > 0.0 and above > 0.0):
                 return 0
         write(touch, 0, start_x, start_y, normal_x, normal_y, along, above, outer, rounding)

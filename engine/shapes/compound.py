@@ -11,6 +11,7 @@ from engine.shapes.concave import Concave
 from engine.shapes.piece import Piece
 from engine.shapes.polygon import Box, Polygon
 from engine.shapes.round import Capsule, Circle
+from engine.shapes.seams import sewn
 from engine.vector import Vector
 
 MOST_PARTS = 4096
@@ -68,8 +69,8 @@ class Compound:
     @cached_property
     def pieces(self) -> tuple[Piece, ...]:
         """The pieces of all parts, where they are."""
-        return tuple(
-            piece.moved(at, angle) for shape, at, angle in self.parts for piece in shape.pieces
+        return sewn(
+            [piece.moved(at, angle) for shape, at, angle in self.parts for piece in shape.pieces]
         )
 
     def inertia(self, mass: float) -> float:

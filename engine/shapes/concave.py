@@ -9,6 +9,7 @@ from engine import validate
 from engine.shapes.division import convex_parts, simple_corners
 from engine.shapes.moments import area_and_centroid, gyration
 from engine.shapes.piece import Piece
+from engine.shapes.seams import sewn
 from engine.vector import Vector
 
 MOST_VERTICES = 1000
@@ -53,7 +54,7 @@ class Concave:
     @cached_property
     def pieces(self) -> tuple[Piece, ...]:
         """The convex parts."""
-        return tuple(Piece(part, area_and_centroid(part)[1]) for part in self.parts)
+        return sewn([Piece(part, area_and_centroid(part)[1]) for part in self.parts])
 
     def inertia(self, mass: float) -> float:
         """Mass moment of inertia about the centroid (kg m^2)."""

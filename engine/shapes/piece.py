@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from engine.vector import Vector
 
@@ -10,6 +11,19 @@ ORIGIN = Vector(0.0, 0.0)
 
 CHORDS = 64
 """Straight lines that stand for a full circle in an outline."""
+
+
+class Seam(NamedTuple):
+    """What other pieces of the body leave of a corner of a piece and of the side from it on."""
+
+    kind: int
+    """Of the corner; see `manifolds.seam`."""
+    low: Vector
+    """Unit normals of the outline of all pieces, before and after the corner."""
+    high: Vector
+    start: float
+    """From where to where along the side it is covered (m); if not at all, `start` > `end`."""
+    end: float
 
 
 @dataclass(frozen=True)
@@ -28,14 +42,22 @@ class Piece:
     """Which piece of the shape joins the first corner of this link of a chain, from 1; 0: none."""
     after: int = 0
     """The same for the second corner."""
+    seams: tuple[Seam, ...] = ()
+    """One a corner, if other pieces of the body join this one."""
 
     def moved(self, offset: Vector, angle: float) -> "Piece":
-        """The piece turned about the origin (rad), then shifted (m)."""
+        """The piece turned about the origin (rad), then shifted (m), without its seams."""
         return replace(
             self,
+            seams=(),
             corners=tuple(turned(corner, offset, angle) for corner in self.corners),
             center=turned(self.center, offset, angle),
         )
+
+    @property
+    def reach(self) -> float:
+        """Radius of a circle about the centre that holds it (m)."""
+        return self.radius + max(math.dist(corner, self.center) for corner in self.corners)
 
     @property
     def outline(self) -> tuple[Vector, ...]:

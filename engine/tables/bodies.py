@@ -186,6 +186,8 @@ class Pieces(NamedTuple):
     """Which piece of the body joins the first corner of this link of a chain, from 1; 0: none."""
     after: Ints
     """The same for the second corner."""
+    seams: Ints
+    """1 if other pieces of the body join it, so that `Corners` says what is its own."""
     low_x: Floats
     """Box in which the piece may be while the list of pairs holds (m)."""
     low_y: Floats
@@ -207,6 +209,17 @@ class Corners(NamedTuple):
     world_y: Floats
     world_normal_x: Floats
     world_normal_y: Floats
+    kind: Ints
+    """Whose the corner is, where pieces of a body join; see `manifolds.seam`."""
+    low_x: Floats
+    """Unit normal of the body's outline before the corner, in the body's frame."""
+    low_y: Floats
+    high_x: Floats
+    """The same after the corner."""
+    high_y: Floats
+    cover_start: Floats
+    """From where to where other pieces cover the side (m, along it); if not, start > end."""
+    cover_end: Floats
 
 
 class Pushes(NamedTuple):
