@@ -8,7 +8,15 @@ of the tick (or, when relaxing, at its end), so that angular momentum is kept to
 """
 
 from engine.kernels.books import book_relax, book_turn, note_part
-from engine.kernels.following import TUMBLING, follow, share_of_b, turning
+from engine.kernels.following import (
+    TUMBLING,
+    are_buried,
+    find_points,
+    follow,
+    has_drifted,
+    share_of_b,
+    turning,
+)
 from engine.kernels.parting import part_gently
 from engine.kernels.rubbing import outruns_forces, resist_rolling
 from engine.linkage.positions import bind, brace, follow_joints, keep_impulses
@@ -116,6 +124,8 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
         if t.pairs.state[pair] == RESTING and turning(t, pair, part) <= TUMBLING:
             remember(t, pair)
             follow(t, pair, BARELY)
+            if are_buried(t, pair) and has_drifted(t, pair):
+                find_points(t, pair, 0.0)
             stiffen(t, pair, part)
             t.pairs.resting[left] = pair
             left += 1

@@ -25,6 +25,10 @@ TUMBLING = 0.5
 strike, and no point can be followed."""
 
 
+DEEP = 0.02
+"""Overlap from which on bodies are deep in each other, in reaches of the smaller one: far beyond
+what loads make."""
+
 BURIED = 1e-3
 """Distance of the centres of two discs that counts as none, in reaches of the smaller one."""
 
@@ -91,13 +95,24 @@ def turns_by_moving(t: Tables, pair: int, size: float) -> float:
 
     Discs whose centres are closer than that turn it by more.
     """
+    if not are_buried(t, pair):
+        return 1.0
+    x = t.pairs.seen_x[pair]
+    y = t.pairs.seen_y[pair]
+    return size / (abs(x) + abs(y) + BURIED * size)
+
+
+def are_buried(t: Tables, pair: int) -> bool:
+    """Whether both of a pair are discs about their centres, one deep in the other."""
     pairs = t.pairs
-    if t.pieces.corners[pairs.piece_a[pair]] == 1 and t.pieces.corners[pairs.piece_b[pair]] == 1:
-        across = pairs.seen_x[pair] * pairs.normal_x[pair]
-        across = abs(across + pairs.seen_y[pair] * pairs.normal_y[pair])
-        if across < size:
-            return size / (across + BURIED * size)
-    return 1.0
+    a = pairs.piece_a[pair]
+    b = pairs.piece_b[pair]
+    if t.pieces.swing[a] > 0.0 or t.pieces.swing[b] > 0.0:
+        return False
+    x = pairs.seen_x[pair]
+    y = pairs.seen_y[pair]
+    apart = t.pieces.radius[a] + t.pieces.radius[b] - DEEP * pairs.size[pair]
+    return x * x + y * y < apart * apart
 
 
 def has_drifted(t: Tables, pair: int) -> bool:

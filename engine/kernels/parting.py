@@ -7,14 +7,11 @@ deeply an impulse may also pull: it stops what leaves no faster than a push make
 plastic impact, which can only take energy.
 """
 
+from engine.kernels.following import DEEP
 from engine.tables import Tables
 
 PUSH = 2.0
 """Fastest correction of an overlap, in reaches of the smaller body a second (1/s)."""
-
-DEEP = 0.02
-"""Overlap from which on bodies are parted so, in reaches of the smaller one: far beyond what
-loads make."""
 
 MOST_SWEEPS = 12
 """Sweeps at most."""
