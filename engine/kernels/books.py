@@ -213,6 +213,9 @@ def book_relax(t: Tables, resting: int, count: int) -> None:
     """Book what resting contacts did at once, at the end of a part, to velocities: before and
     after the sweeps are what bodies have and what their kick is.
     """
+    if resting == 0:
+        book_ease(t, count, 0.0, 0.0, 0.0)
+        return
     bodies = t.bodies
     held = bodies.held
     mean_x = bodies.mean_x

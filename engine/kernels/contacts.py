@@ -65,7 +65,7 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
             bodies.kick_spin[row] = bodies.spin[row] + bodies.aspin[row] * part
             if (abs(ax) + abs(ay)) * part > VIOLENT * bodies.reach[row]:
                 violent = True
-    brace(t, part)
+    brace(t, resting, part)
     if violent:
         harden(t, resting)
     warm_start(t, resting)
@@ -129,7 +129,7 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
             stiffen(t, pair, part)
             t.pairs.resting[left] = pair
             left += 1
-    prepare_ease(t, part, done)
+    prepare_ease(t, left, part, done)
     if steady:
         sweep_until_calm(t, left, 2 * STEADY_SWEEPS, STILL)
     else:

@@ -123,7 +123,8 @@ def hold(t: Tables, count: int, resting: int, now: float, part: float, substep: 
     """
     omega = frequency(substep)
     for again in (False, True):
-        place_middle(t, count, part / 2.0)
+        if resting > 0:
+            place_middle(t, count, part / 2.0)
         softly, yielding = softness(part, omega)
         firmly, bearing = softness(part, 2.0 * omega)
         kept = 0

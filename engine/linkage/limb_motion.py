@@ -40,16 +40,20 @@ STRIDE = 0.25
 DONE, FORWARD, BACK = 0, 1, 2
 """What the next step of a tree does: none is needed; towards the goal; half the last one back."""
 
-JUMP = 0.1
-"""A force that changes by more than its root from one part to the next jumps: what follows is not
-foreseen by that."""
+JUMP = 0.3
+"""A force of which a larger share differs between the end of a part and the start of the next does
+so because of contacts, and will again; smaller differences change as they did before."""
 
 NEAR = 0.3
 """Up to this angle (rad) the series of sine and cosine below are exact to rounding."""
 
 
-def brace_limbs(t: Tables, part: float) -> None:
-    """Prepare the limbs for a part (s); let the impulses that are likely act."""
+def brace_limbs(t: Tables, resting: int, part: float) -> None:
+    """Prepare the limbs for a part (s); let the impulses that are likely act.
+
+    Where `resting` pairs of bodies take part, those are the impulses of the part before: what
+    contacts do is not smooth.
+    """
     if t.bones.sizes[0] == 0:
         return
     if not stands(t):
@@ -61,20 +65,23 @@ def brace_limbs(t: Tables, part: float) -> None:
         t.bones.sum_x[bone] = 0.0
         t.bones.sum_y[bone] = 0.0
     for k in range(t.bones.sizes[0]):
-        expect_impulse(t, k, part)
+        expect_impulse(t, k, part, 0.0 if resting > 0 else 1.0)
     lend_all(t)
     deliver_starts(t)
 
 
-def expect_impulse(t: Tables, k: int, part: float) -> None:
-    """Set what a limb will exert at the start of the part (s), judging by the parts before."""
+def expect_impulse(t: Tables, k: int, part: float, trend: float) -> None:
+    """Set what a limb will exert at the start of the part (s), judging by the parts before.
+
+    `trend` is the share of the change between the last two of them that is expected again.
+    """
     joints = t.joints
     joint = t.limbs.joint[k]
     half = t.limbs.sign[k] * part / 2.0
-    lag_x = part * (2.0 * joints.lag_0[joint] - joints.older_0[joint])
-    lag_y = part * (2.0 * joints.lag_1[joint] - joints.older_1[joint])
-    t.limbs.impulse_x[k] = half * (joints.end_0[joint] + lag_x)
-    t.limbs.impulse_y[k] = half * (joints.end_1[joint] + lag_y)
+    lag_x = joints.lag_0[joint] + trend * (joints.lag_0[joint] - joints.older_0[joint])
+    lag_y = joints.lag_1[joint] + trend * (joints.lag_1[joint] - joints.older_1[joint])
+    t.limbs.impulse_x[k] = half * (joints.end_0[joint] + part * lag_x)
+    t.limbs.impulse_y[k] = half * (joints.end_1[joint] + part * lag_y)
     t.limbs.given_x[k] = 0.0
     t.limbs.given_y[k] = 0.0
 
@@ -330,29 +337,38 @@ def keep_limb_impulses(t: Tables, part: float) -> None:
         y = limbs.sign[k] * limbs.impulse_y[k]
         joints.impulse_0[joint] = x
         joints.impulse_1[joint] = y
-        joints.older_0[joint] = joints.lag_0[joint]
-        joints.older_1[joint] = joints.lag_1[joint]
-        lag_x = twice * x - joints.end_0[joint]
-        lag_y = twice * y - joints.end_1[joint]
-        if lag_x * lag_x + lag_y * lag_y > JUMP * twice * twice * (x * x + y * y):
-            lag_x = lag_y = 0.0
-        joints.lag_0[joint] = lag_x / part
-        joints.lag_1[joint] = lag_y / part
+        lag_x = (twice * x - joints.end_0[joint]) / part
+        lag_y = (twice * y - joints.end_1[joint]) / part
+        jump = 4.0 * JUMP * JUMP * (x * x + y * y) / (part * part * part * part)
+        smooth = lag_x * lag_x + lag_y * lag_y <= jump
+        joints.older_0[joint] = joints.lag_0[joint] if smooth else lag_x
+        joints.older_1[joint] = joints.lag_1[joint] if smooth else lag_y
+        joints.lag_0[joint] = lag_x
+        joints.lag_1[joint] = lag_y
 
 
-def prepare_limbs(t: Tables) -> None:
-    """Prepare the limbs for the end of a part, where their bodies are now."""
+def prepare_limbs(t: Tables, part: float) -> None:
+    """Prepare the limbs for the end of a part, where their bodies are now.
+
+    Where contacts are to agree with them, let act what they exerted at the end of the part before;
+    else the solution alone is exact.
+    """
     if t.bones.sizes[0] == 0:
         return
     stand(t)
     resolve(t)
     t.bones.sizes[4] = 1
     limbs = t.limbs
+    half = part / 2.0
     for k in range(t.bones.sizes[0]):
-        limbs.impulse_x[k] = 0.0
-        limbs.impulse_y[k] = 0.0
+        joint = limbs.joint[k]
+        limbs.impulse_x[k] = limbs.sign[k] * half * t.joints.end_0[joint]
+        limbs.impulse_y[k] = limbs.sign[k] * half * t.joints.end_1[joint]
         limbs.given_x[k] = 0.0
         limbs.given_y[k] = 0.0
+    if part > 0.0:
+        lend_all(t)
+        deliver_ends(t)
 
 
 def ease_limbs(t: Tables) -> float:

@@ -37,9 +37,11 @@ MOST_CHANGES = 12
 motor ends, only where everything else is solved; else they would chase each other."""
 
 
-def brace(t: Tables, part: float) -> None:
-    """Prepare the joints for a part (s); let the impulses of the part before act."""
-    brace_limbs(t, part)
+def brace(t: Tables, resting: int, part: float) -> None:
+    """Prepare the joints for a part (s) in which so many pairs of bodies rest; let the impulses of
+    the part before act.
+    """
+    brace_limbs(t, resting, part)
     if t.braces.sizes[0] == 0:
         return
     for node in range(t.braces.sizes[1]):

@@ -11,9 +11,12 @@ MOST_CHANGES = 30
 """How often limits and motors may change their minds in one instant."""
 
 
-def prepare_ease(t: Tables, part: float, done: float) -> None:
-    """Prepare the joints for the end of a part (s), of which the share `done` has passed."""
-    prepare_limbs(t)
+def prepare_ease(t: Tables, resting: int, part: float, done: float) -> None:
+    """Prepare the joints for the end of a part (s), of which the share `done` has passed.
+
+    `resting` pairs of bodies take part.
+    """
+    prepare_limbs(t, part if resting > 0 and done == 1.0 else 0.0)
     if t.braces.sizes[0] == 0:
         return
     joints = t.joints
