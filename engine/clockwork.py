@@ -1,10 +1,12 @@
 """What drives a world: it runs the kernels tick by tick and does what only Python can do."""
 
-from engine import collision, jit, warming
+import importlib
+
+from engine import collision, modes
 from engine.collision import Collision, Diverged
-from engine.jit import Kernels
 from engine.kernels.tick import FULL, LOOSE, LOST, UNMIXED, WAITING
 from engine.kernels.travel import DONE
+from engine.modes import Kernels
 from engine.pair_rows import mix_by_rules
 from engine.settings import PLAIN_RULES, Laws, Rules
 from engine.store import Store
@@ -24,8 +26,24 @@ AT_ONCE = 30
 """Ticks between two looks at most."""
 
 
+def compiled() -> Kernels:
+    """The compiled kernels; worlds that start interpreted import nothing for them.
+
+    Raises:
+        ImportError: if numba is missing or broken.
+    """
+    kernels: Kernels = importlib.import_module("engine.jit").compiled()
+    return kernels
+
+
+def ready_in_background() -> Kernels | None:
+    """The compiled kernels if they can be had at once; else let a process compile them."""
+    kernels: Kernels | None = importlib.import_module("engine.warming").background().kernels()
+    return kernels
+
+
 class Clockwork:
-    """Advances the tables of a store by the kernels of a mode (see `jit.resolve`)."""
+    """Advances the tables of a store by the kernels of a mode (see `modes.resolve`)."""
 
     __slots__ = (
         "_at_once",
@@ -51,7 +69,7 @@ class Clockwork:
             ValueError: for an unknown mode.
             ImportError: if compiled kernels are asked for and numba is missing or broken.
         """
-        mode = jit.resolve(mode)
+        mode = modes.resolve(mode)
         self._store = store
         self._tables: Tables | None = None
         self._laws: Laws | None = None
@@ -63,7 +81,7 @@ class Clockwork:
         self._at_once = AT_ONCE
         self._next_look = WORTHWHILE
         self._settled = mode != "auto"
-        self._use(jit.compiled() if mode == "compiled" else jit.INTERPRETED)
+        self._use(compiled() if mode == "compiled" else modes.INTERPRETED)
 
     @property
     def compiled(self) -> bool:
@@ -172,7 +190,7 @@ class Clockwork:
         self._work += ticks * (BODY * counts.bodies[0] + PAIR * counts.pairs[0])
         if self._work >= self._next_look:
             self._next_look = self._work + AGAIN
-            ready = warming.background().kernels()
+            ready = ready_in_background()
             if ready is not None:
                 self._use(ready)
                 self._bind(laws, rules)

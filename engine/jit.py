@@ -1,29 +1,23 @@
-"""Which kernels a world runs on: as Python reads them, or compiled by numba.
+"""Compiles the kernels by numba, or loads what was compiled before.
 
-Kernels are plain functions. Compiled and interpreted ones give the same bits, so a world may change
-from one to the other between any two ticks. This module and `pointers`, which is imported only to
-compile, are all that knows of numba. It keeps machine code in its cache; the key holds a hash of
-all kernel sources, because numba itself notices only edits of the outermost function's file.
+Kernels are plain functions. This module and `pointers`, which is imported only to compile, are all
+that knows of numba. It keeps machine code in its cache; the key holds a hash of all kernel sources,
+because numba itself notices only edits of the outermost function's file. Worlds that run
+interpreted do not import it (see `modes`).
 """
 
 import hashlib
 import importlib
 import importlib.util
 import inspect
-import os
 import platform
 import sys
-from collections.abc import Callable
-from functools import cache, partial
+from functools import cache
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 from engine import machine_code
-from engine.kernels import tick
-from engine.settings import Laws
-from engine.tables import Tables
-
-MODES = ("auto", "interpreted", "compiled")
+from engine.modes import Kernels
 
 LAYOUT = (
     "jit",
@@ -36,9 +30,6 @@ LAYOUT = (
     "tables.world",
 )
 """Modules that machine code depends on besides: what tables and laws look like."""
-
-VARIABLE = "LAWS_KERNELS"
-"""Environment variable that decides for worlds that are made with kernels="auto"."""
 
 SOURCES = (
     "kernels.accelerate",
@@ -85,41 +76,6 @@ SOURCES = (
     "kernels.tick",
 )
 """Modules whose functions are kernels."""
-
-
-Run = Callable[[float, int], int]
-"""Takes a length of tick (s) and a number of ticks, and works on the tables that it is bound to;
-see `tick.run` for what it returns."""
-
-
-class Kernels(NamedTuple):
-    """What a world runs on."""
-
-    compiled: bool
-    bind: Callable[[Tables, Laws], Run]
-    """Makes `tick.run` ready to work on these tables under these laws."""
-
-
-def bind_interpreted(tables: Tables, laws: Laws) -> Run:
-    """Let Python run the kernels."""
-    return partial(tick.run, tables, laws)
-
-
-INTERPRETED = Kernels(False, bind_interpreted)
-
-
-def resolve(mode: str) -> str:
-    """Say what a world that was made with `mode` runs on: one of `MODES`.
-
-    Raises:
-        ValueError: if the mode, or the one that the environment names, is not known.
-    """
-    origin = "kernels"
-    if mode == "auto":
-        mode, origin = os.environ.get(VARIABLE, "auto") or "auto", VARIABLE
-    if mode not in MODES:
-        raise ValueError(f"{origin} must be one of {', '.join(MODES)}, not {mode!r}")
-    return mode
 
 
 def available() -> bool:

@@ -12,7 +12,7 @@ from functools import cache
 from pathlib import Path
 
 from engine import jit
-from engine.jit import Kernels
+from engine.modes import Kernels
 
 UNKEPT = 3
 """Exit code: the code could not be kept."""

@@ -81,14 +81,14 @@ def _extras() -> Iterator[Finding]:
 
 def _kernels() -> Iterator[Finding]:
     """Say what worlds run on, and whether machine code is ready."""
-    from engine import jit
+    from engine import jit, modes
 
     try:
-        mode = jit.resolve("auto")
+        mode = modes.resolve("auto")
     except ValueError as error:
         yield Finding("bad", f"{error}: unset it")
         return
-    told = f", as {jit.VARIABLE} says" if os.environ.get(jit.VARIABLE) else ""
+    told = f", as {modes.VARIABLE} says" if os.environ.get(modes.VARIABLE) else ""
     yield Finding("ok", f"worlds run with kernels={mode!r}{told}")
     if not jit.available():
         return

@@ -34,7 +34,8 @@ from engine import (
     World,
     warming,
 )
-from engine.jit import INTERPRETED, compiled
+from engine.jit import compiled
+from engine.modes import INTERPRETED
 from tests.benchmarks.engine_steps import SCENES
 
 pytest.importorskip("numba")

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from engine import Circle, World, jit, machine_code, warming
+from engine import Circle, World, jit, machine_code, modes, warming
 
 ROOT = Path(jit.__file__).parents[1]
 
@@ -30,9 +30,9 @@ def python(code: str, path: Path, **variables: str) -> subprocess.CompletedProce
 
 def test_the_environment_decides_for_auto(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("LAWS_KERNELS", "interpreted")
-    assert jit.resolve("auto") == "interpreted"
+    assert modes.resolve("auto") == "interpreted"
     monkeypatch.setenv("LAWS_KERNELS", "")
-    assert jit.resolve("auto") == "auto"
+    assert modes.resolve("auto") == "auto"
     monkeypatch.setenv("LAWS_KERNELS", "quick")
     with pytest.raises(ValueError, match=r"LAWS_KERNELS must be one of .*, not 'quick'"):
         World()
