@@ -6,7 +6,7 @@ from engine.kernels.broadphase import fit_boxes
 from engine.kernels.neighbours import find_neighbours
 from engine.kernels.rubbing import mix
 from engine.kernels.touches import part_with
-from engine.tables import NEVER, SENSING, Tables, clear_row, copy_row
+from engine.tables import FREE, NEVER, SENSING, Tables, clear_row, copy_row
 
 
 def find_pairs(t: Tables, dt: float) -> bool:
@@ -73,16 +73,38 @@ def comes_before(a: int, b: int, than_a: int, than_b: int) -> bool:
 
 def move(t: Tables, source: int, target: int) -> None:
     """Move a pair with its contacts to another row."""
-    copy_row(t.pairs, source, target)
-    if t.pairs.points[source] > 0:
+    pairs = t.pairs
+    if is_fresh(t, source) and is_fresh(t, target):
+        pairs.a[target] = pairs.a[source]
+        pairs.b[target] = pairs.b[source]
+        pairs.piece_a[target] = pairs.piece_a[source]
+        pairs.piece_b[target] = pairs.piece_b[source]
+        pairs.size[target] = pairs.size[source]
+        pairs.apart[target] = pairs.apart[source]
+        pairs.clear[target] = pairs.clear[source]
+        pairs.struck[target] = pairs.struck[source]
+        pairs.meeting[target] = pairs.meeting[source]
+        return
+    copy_row(pairs, source, target)
+    if pairs.points[source] > 0:
         copy_row(t.contacts, 2 * source, 2 * target)
         copy_row(t.contacts, 2 * source + 1, 2 * target + 1)
+
+
+def is_fresh(t: Tables, pair: int) -> bool:
+    """Whether a row holds, or is left from, a pair that has never touched: what a touch writes is
+    zero there. Most are such, and rows are long.
+    """
+    return t.pairs.touched[pair] == 0 and t.pairs.state[pair] == FREE
 
 
 def begin(t: Tables, pair: int) -> None:
     """Write a new pair, which has no contacts, to its row."""
     pairs = t.pairs
-    clear_row(pairs, pair)
+    if is_fresh(t, pair):
+        pairs.apart[pair] = pairs.clear[pair] = 0.0
+    else:
+        clear_row(pairs, pair)
     piece_a = t.found.a[pair]
     piece_b = t.found.b[pair]
     pairs.piece_a[pair] = piece_a
