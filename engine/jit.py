@@ -33,6 +33,7 @@ LAYOUT = (
 
 SOURCES = (
     "kernels.accelerate",
+    "kernels.agenda",
     "kernels.books",
     "kernels.broadphase",
     "kernels.circles",

@@ -7,6 +7,7 @@ negative; a bracketed secant (Illinois) then finds where it was zero, to roundin
 
 import math
 
+from engine.kernels.agenda import enqueue
 from engine.kernels.circles import (
     both_discs,
     circle_meets_wall,
@@ -77,10 +78,7 @@ def find_meetings(t: Tables, pair_count: int, part: float) -> int:
             continue
         notice_passing(t, pair)
         find_meeting(t, pair, 0.0, part)
-        if pairs.meeting[pair] < NEVER:
-            pairs.queue[queued] = pair
-            pairs.queued[pair] = 1
-            queued += 1
+        queued = enqueue(t, pair, queued)
     return queued
 
 
@@ -99,10 +97,7 @@ def foresee_meetings(t: Tables, pair_count: int, part: float) -> int:
             continue
         notice_passing(t, pair)
         find_meeting(t, pair, 0.0, part)
-        if pairs.meeting[pair] < NEVER:
-            pairs.queue[queued] = pair
-            pairs.queued[pair] = 1
-            queued += 1
+        queued = enqueue(t, pair, queued)
     return queued
 
 

@@ -5,6 +5,7 @@ early when two bodies come to rest on each other, or when a body leaves the box 
 of pairs holds.
 """
 
+from engine.kernels.agenda import TOGETHER, dequeue, empty, enqueue, next_to_meet
 from engine.kernels.books import book_lead, book_part
 from engine.kernels.contacts import correct_arms, relax
 from engine.kernels.fields import lead_of_euler
@@ -51,9 +52,6 @@ MOST = 1e100
 PLUNGE = 0.01
 """A pair that comes to rest is not looked at until its part is over, unless it turns by more than
 this meanwhile (rad), so that another corner would plunge in: then the part ends."""
-
-TOGETHER = 1e-12
-"""Meetings closer in time than this happen at once (s): the fastest is then first."""
 
 
 def begin(t: Tables, count: int, pair_count: int, shortest: float) -> None:
@@ -207,10 +205,7 @@ def meet_all(
 ) -> tuple[int, float]:
     """Let all impacts of a part happen in order of time; return the status and the time reached."""
     status, reached, queued = meet_in_order(t, queued, held, steady, now, part, dt, substep, limit)
-    for at in range(queued):
-        pair = t.pairs.queue[at]
-        t.pairs.queued[pair] = 0
-        t.pairs.meeting[pair] = NEVER
+    empty(t, queued)
     return status, reached
 
 
@@ -233,17 +228,15 @@ def meet_in_order(
     cut = False
     ending = DONE
     while queued > 0:
-        at = earliest(t, queued)
-        pair = pairs.queue[at]
+        place = next_to_meet(t, queued)
+        pair = pairs.queue[place]
         time = pairs.meeting[pair]
         if cut and time > reached + TOGETHER:
             return ending, reached, queued
         reached = time
         if written[0] >= IMPACTS_AT_ONCE:
             return CROWDED, time, queued
-        queued -= 1
-        pairs.queue[at] = pairs.queue[queued]
-        pairs.queued[pair] = 0
+        queued = dequeue(t, place, queued)
         pairs.meeting[pair] = NEVER
         a = pairs.a[pair]
         b = pairs.b[pair]
@@ -285,35 +278,6 @@ def meet_in_order(
     return ending, part, queued
 
 
-def enqueue(t: Tables, pair: int, queued: int) -> int:
-    """Put a pair that meets in the queue, if it does not stand there; return the queue's length."""
-    if t.pairs.meeting[pair] < NEVER and t.pairs.queued[pair] == 0:
-        t.pairs.queue[queued] = pair
-        t.pairs.queued[pair] = 1
-        queued += 1
-    return queued
-
-
-def earliest(t: Tables, queued: int) -> int:
-    """Place in the queue of the pair that meets first; of those at once, the fastest."""
-    pairs = t.pairs
-    best = 0
-    for at in range(1, queued):
-        pair = pairs.queue[at]
-        first = pairs.queue[best]
-        if pairs.meeting[pair] < pairs.meeting[first]:
-            best = at
-    start = pairs.meeting[pairs.queue[best]]
-    for at in range(queued):
-        pair = pairs.queue[at]
-        first = pairs.queue[best]
-        if pair != first and pairs.meeting[pair] <= start + TOGETHER:
-            faster = pairs.speed[pair] - pairs.speed[first]
-            if faster > 0.0 or (faster == 0.0 and pair < first):
-                best = at
-    return best
-
-
 def look_again(t: Tables, row: int, time: float, part: float, queued: int, strict: bool) -> int:
     """Find anew, after an impact at `time` (s), when the pairs of a body meet."""
     pairs = t.pairs
@@ -331,8 +295,6 @@ def look_again(t: Tables, row: int, time: float, part: float, queued: int, stric
                 pairs.meeting[pair] = time
                 pairs.speed[pair] = speed
         queued = enqueue(t, pair, queued)
-        if pairs.queued[pair] == 1 and pairs.meeting[pair] == NEVER:
-            queued = dequeue(t, pair, queued)
     return queued
 
 
@@ -364,16 +326,6 @@ def look_at_tree(t: Tables, tree: int, time: float, part: float, queued: int, st
     root = t.trees.root[tree]
     if root >= 0 and bone_changed(t, root):
         queued = look_again(t, t.bones.body[root], time, part, queued, strict)
-    return queued
-
-
-def dequeue(t: Tables, pair: int, queued: int) -> int:
-    """Take a pair out of the queue; return the queue's length."""
-    for at in range(queued):
-        if t.pairs.queue[at] == pair:
-            t.pairs.queue[at] = t.pairs.queue[queued - 1]
-            t.pairs.queued[pair] = 0
-            return queued - 1
     return queued
 
 

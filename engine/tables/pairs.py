@@ -87,9 +87,9 @@ class Pairs(NamedTuple):
     speed: Floats
     """With which they then approach each other (m/s)."""
     queued: Ints
-    """1 if the pair stands in `queue`."""
+    """Place of the pair in `queue`, from 1; 0: none."""
     queue: Ints
-    """Pairs that meet in the present part, in no order (a list of its own, not by row)."""
+    """Pairs that meet in the present part, a heap (a list of its own, not by row); see `agenda`."""
     resting: Ints
     """Pairs that rest in the present part, in order (a list of its own, not by row)."""
 
