@@ -3,7 +3,7 @@
 import random
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from engine import Circle, Force, Polygon, Snapshot, SpringTo, Wall, World
@@ -19,11 +19,12 @@ def thrown(seed: int) -> World:
     world.add(Wall((1.0, 3.0), (4.0, 3.2), one_sided=True), restitution=0.8)
     for i in range(dice.randrange(4, 14)):
         shape = Circle(dice.uniform(0.05, 0.4)) if i % 3 else Polygon.regular(3 + i % 4, 0.3)
+        way = (dice.uniform(-3, 3), dice.choice([0.0, dice.uniform(-20, 20)]))
         world.add(
             shape,
             kind="kinematic" if i == 3 else None,
             position=(1.0 + i % 4 * 1.2, 1.0 + i // 4 * 1.3),
-            velocity=(dice.uniform(-3, 3), dice.choice([0.0, dice.uniform(-20, 20)])),
+            velocity=(0.0, 0.0) if i == 3 else way,  # what squeezes others makes them storm
             spin=dice.uniform(-3, 3),
             restitution=dice.choice([0.3, 1.0]),
             friction=0.2,
@@ -36,6 +37,7 @@ def told(world: World, ticks: int) -> list[tuple[float, int, int, float]]:
     return [(c.time, c.a.id, c.b.id, c.speed) for _ in range(ticks) for c in world.step()]
 
 
+@settings(max_examples=40)
 @given(seed=st.integers(0, 2**30))
 def test_a_law_that_pulls_at_nothing_changes_nothing(seed: int) -> None:
     """It makes the kernels look at every pair in every tick."""
