@@ -163,3 +163,57 @@ def test_a_folder_that_cannot_be_written_is_no_failure(tmp_path: Path) -> None:
     with machine_code.alone(file / "folder"):
         machine_code.mark(file / "folder", "a" * 64)
     assert not machine_code.is_marked(file / "folder", "a" * 64)
+
+
+LONG_RUN = """
+import sys, time
+from engine import Box, Circle, Wall, World, clockwork
+clockwork.WORTHWHILE, clockwork.AGAIN = 0.0, 1e-4
+
+def fill(kernels):
+    world = World(gravity=(0, -9.81), kernels=kernels)
+    world.add(Wall((-9, 0), (9, 0)), friction=0.5)
+    for i in range(3):
+        world.add(Box(1, 1), position=(0, 0.5 + i), friction=0.5)
+    world.add(Circle(0.3), position=(3, 5), velocity=(-2, 0), restitution=0.8)
+    return world
+
+worlds = [fill("interpreted"), fill("auto")]
+swapped, end = 0, time.monotonic() + 500
+while time.monotonic() < end and (not swapped or worlds[1].tick < swapped + 60):
+    for world in worlds:
+        world.step()
+    if worlds[1].kernels == "compiled":
+        swapped = swapped or worlds[1].tick
+    else:
+        time.sleep(0.05)
+print(swapped > 1, [w.kernels for w in worlds], worlds[0].digest() == worlds[1].digest())
+"""
+
+
+def test_two_processes_compile_in_the_background_and_change_over_between_ticks(
+    tmp_path: Path,
+) -> None:
+    """For real, from an empty cache: both go on interpreted, one child compiles, the other waits,
+    and not a bit changes. This takes as long as a compiler takes.
+    """
+    pytest.importorskip("numba")
+    shutil.copytree(
+        ROOT / "engine", tmp_path / "engine", ignore=shutil.ignore_patterns("__pycache__")
+    )
+    given = os.environ | {"PYTHONPATH": str(tmp_path), "LAWS_KERNELS": "auto"}
+    given.pop("NUMBA_CACHE_DIR", None)
+    both = [
+        subprocess.Popen(
+            [sys.executable, "-c", LONG_RUN],
+            env=given,
+            cwd=tmp_path,
+            text=True,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+        )
+        for _ in range(2)
+    ]
+    told = [process.communicate(timeout=600) for process in both]
+    assert told == [("True ['interpreted', 'compiled'] True\n", "")] * 2
+    assert len(list(tmp_path.glob("engine/__pycache__/pointers.*.nbi"))) == 1
