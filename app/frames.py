@@ -19,7 +19,7 @@ class Frame:
 
     index: int
     pixels: Pixels
-    """Owned by whoever receives it; never written again."""
+    """Read-only; it stays as it is as long as anybody holds it."""
 
 
 class Moment(NamedTuple):

@@ -4,6 +4,7 @@ Nothing is measured here: words get room for a fixed number of lines, so that a 
 letters has the same places as one with them.
 """
 
+from functools import lru_cache
 from typing import NamedTuple
 
 from screens.kit.geometry import Rect, Size
@@ -43,6 +44,7 @@ class Layout(NamedTuple):
         return Rect(0.0, 0.0, *self.size)
 
 
+@lru_cache(maxsize=16)
 def layout(size: Size) -> Layout:
     """Divide a screen: one column if it is upright, words beside the canvas if not."""
     return _upright(size) if size.height >= UPRIGHT * size.width else _across(size)
