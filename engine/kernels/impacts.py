@@ -243,8 +243,9 @@ def exchange_with_joints(
         free = response(t, pair, x, y, nx, ny)
     t.books.restitution_heat[0] += total * (speed - total * yields / 2.0)
     t.books.joint_work[0] += total * total * (free - yields) / 2.0
-    give_with_joints(t, pair, x, y, total * nx, total * ny, time)
     belt = belt_speed(t, pair, nx, ny)
+    before = slip(t, pair, x, y) + belt
+    give_with_joints(t, pair, x, y, total * nx, total * ny, time)
     sliding = slip(t, pair, x, y) + belt
     free = response(t, pair, x, y, -ny, nx)
     yields = closing(t, pair, x, y, -ny, nx, push(t, pair, x, y, -ny, nx))
@@ -252,10 +253,8 @@ def exchange_with_joints(
         yields = free
     along = -sliding / yields
     most = t.pairs.friction[pair] * total
-    if along > most:
-        along = most
-    elif along < -most:
-        along = -most
+    if (along > most or along < -most) and not sticks(t, pair, before, sliding, yields, total):
+        along = most if along > 0.0 else -most
     t.books.friction_heat[0] -= along * (sliding + along * yields / 2.0)
     t.books.wall_work[0] -= along * belt
     t.books.joint_work[0] += along * along * (free - yields) / 2.0

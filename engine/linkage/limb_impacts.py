@@ -3,7 +3,7 @@
 from engine.kernels.books import book_jolt
 from engine.kernels.pose import advance
 from engine.linkage.limb_impulses import add_up_limb, lend_limb, lend_nothing
-from engine.linkage.limb_motion import find_hinge_rate
+from engine.linkage.limb_velocities import find_hinge_rate
 from engine.linkage.limbs import eliminate, load_alone, place_bone, place_limb, solve_tree
 from engine.tables import Tables
 

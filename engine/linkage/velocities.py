@@ -2,7 +2,7 @@
 
 from engine.linkage.geometry import aim, place_nodes
 from engine.linkage.impulses import add_up, lend, noted_impulse, solve_for, take
-from engine.linkage.limb_motion import ease_limbs, keep_limb_ends, prepare_limbs
+from engine.linkage.limb_velocities import ease_limbs, keep_limb_ends, prepare_limbs
 from engine.linkage.modes import DRIVEN, ELASTIC, STRAINED, coordinate_row
 from engine.linkage.skyline import assemble, factorise, solve
 from engine.tables import Tables
