@@ -35,6 +35,7 @@ def _as_input(method: Method, moves: bool) -> Method:
     @wraps(method)
     def call(target: Any, /, *args: Any, **given: Any) -> Any:
         world = getattr(target, "_world", target)
+        world.store.distrust()
         if moves:
             world.store.open_books()
         recorder: Recorder | None = world.recorder

@@ -73,6 +73,7 @@ SOURCES = (
     "kernels.sleeping",
     "kernels.spring",
     "kernels.steady",
+    "kernels.sticking",
     "kernels.touches",
     "kernels.travel",
     "kernels.tick",

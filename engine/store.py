@@ -329,6 +329,10 @@ class Store:
 
     # The whole.
 
+    def distrust(self) -> None:
+        """Let loads no longer be relied on: somebody acts on the world."""
+        self.tables.state.trusted[0] = 0
+
     def open_books(self) -> None:
         """Look, before the first thing that is done between two ticks, what there is."""
         if self.before is None:

@@ -29,15 +29,18 @@ CALM = 0.02
 second (1/s): at rest one sweep is enough."""
 
 MOST_SWEEPS = 8
-"""Sweeps that a part has at most."""
+"""Sweeps that a part has at most, and twice as many where heavy bodies rest on light ones."""
+
+HEAVY = 10.0
+"""So many times as heavy: the weight of one shakes the other between two contacts."""
 
 VIOLENT = 100.0
 """Where forces or contacts change a velocity by more within a part, in reaches a second (1/s),"""
 
-PATIENT_SWEEPS = 1000
+PATIENT_SWEEPS = 3000
 """a part has so many sweeps at most: what they leave is a share of that change."""
 
-STEADY_SWEEPS = 2
+STEADY_SWEEPS = 16
 """Sweeps of a steady part at most, and twice as many to relax."""
 
 STILL = 1e-5
@@ -47,9 +50,15 @@ BARELY = 1e-9
 """Bodies that moved less since the middle of the part, in reaches of the smaller one, relax where
 they were: what they still exchange is as little."""
 
-TO_RELAX = 4
-"""Sweeps without the spring that a part has at least: they also calm what rocks as a whole, of
-which a sweep takes little."""
+WILD_SWEEPS = 4
+"""Sweeps after which contacts that are still wild are left as they are: bodies tumble."""
+
+WILD = 0.2
+"""A sweep that changes a contact's velocity by more is wild, in the same unit."""
+
+FINE = 1e-5
+"""As `CALM`, to relax: sweeps without the spring also calm what rocks as a whole, of which each
+takes little."""
 
 
 def kick(t: Tables, resting: int, count: int, part: float) -> None:
@@ -69,10 +78,12 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
     if violent:
         harden(t, resting)
     warm_start(t, resting)
-    for _ in range(PATIENT_SWEEPS if violent else MOST_SWEEPS):
-        wild = sweep(t, resting, CALM)
+    t.progress.sweeps[0] = 2 * MOST_SWEEPS if is_uneven(t, resting) else MOST_SWEEPS
+    for i in range(1, (PATIENT_SWEEPS if violent else t.progress.sweeps[0]) + 1):
+        last = i == WILD_SWEEPS and not violent
+        changed = sweep(t, resting, WILD if last else CALM, i % 2 == 0)
         failed = bind(t, part)
-        if not wild and (resting == 0 or failed <= CALM):
+        if changed == last and (resting == 0 or failed <= CALM):
             break
     keep_impulses(t, part)
     for row in range(count):
@@ -103,10 +114,10 @@ def harden(t: Tables, resting: int) -> None:
             contacts.softness[row] = 0.0
 
 
-def relax(t: Tables, resting: int, count: int, part: float, done: float, steady: bool) -> None:
+def relax(t: Tables, resting: int, count: int, part: float, done: float, steady: bool) -> bool:
     """Take back, at the end of a part (s), the velocity that correcting overlaps has lent.
 
-    `done` is the share of the part after which it ended.
+    `done` is the share of the part after which it ended. Returns whether contacts are still.
     """
     bodies = t.bodies
     for row in range(count):
@@ -130,14 +141,17 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
             t.pairs.resting[left] = pair
             left += 1
     prepare_ease(t, left, part, done)
+    still = False
     if steady:
-        sweep_until_calm(t, left, 2 * STEADY_SWEEPS, STILL)
+        still = sweep_until_calm(t, left, 2 * STEADY_SWEEPS, STILL)
     else:
         violent = is_violent(t, left)
-        for i in range(1, (PATIENT_SWEEPS if violent else MOST_SWEEPS) + 1):
-            wild = sweep(t, left, CALM)
+        polish = CALM if violent else FINE
+        for i in range(1, (PATIENT_SWEEPS if violent else t.progress.sweeps[0]) + 1):
+            last = i == WILD_SWEEPS and not violent
+            changed = sweep(t, left, WILD if last else polish, i % 2 == 1)
             failed = ease(t)
-            if not wild and (left == 0 or (failed <= CALM and i >= TO_RELAX)):
+            if changed == last and (left == 0 or failed <= CALM):
                 break
     part_gently(t, left, part * done)
     keep_ends(t, part, done)
@@ -150,14 +164,30 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
             bodies.path_x[row] = bodies.ax[row]
             bodies.path_y[row] = bodies.ay[row]
             bodies.path_spin[row] = bodies.aspin[row]
+    return still
+
+
+def is_uneven(t: Tables, resting: int) -> bool:
+    """Whether bodies of very different mass rest on each other."""
+    inverse_mass = t.bodies.inverse_mass
+    for k in range(resting):
+        pair = t.pairs.resting[k]
+        a = inverse_mass[t.pairs.a[pair]]
+        b = inverse_mass[t.pairs.b[pair]]
+        if a > HEAVY * b > 0.0 or b > HEAVY * a > 0.0:
+            return True
+    return False
 
 
 def stiffen(t: Tables, pair: int, part: float) -> None:
-    """Let no point of a contact approach further; what gapes may close within a part (s)."""
+    """Let no point of a contact approach further; what gapes may close within a part (s), unless
+    it bears a steady load.
+    """
     contacts = t.contacts
     for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
         gap = contacts.gap[row]
-        contacts.target[row] = 2.0 * gap / part if gap > 0.0 else 0.0
+        bears = t.pairs.steady[pair] == 1 and contacts.normal_load[row] > 0.0
+        contacts.target[row] = 2.0 * gap / part if gap > 0.0 and not bears else 0.0
         contacts.hardness[row] = contacts.normal_mass[row]
         contacts.softness[row] = 0.0
 
@@ -223,16 +253,17 @@ def sweep_until_calm(t: Tables, resting: int, most: int, calm: float) -> bool:
     """Solve all resting pairs one after the other, again while that changes more than `calm` (1/s),
     `most` times at most; return whether it became calm.
     """
-    for _ in range(most):  # noqa: SIM110, a loop that can be compiled
-        if not sweep(t, resting, calm):
+    for i in range(most):  # noqa: SIM110, a loop that can be compiled
+        if not sweep(t, resting, calm, i % 2 == 0):
             return True
     return False
 
 
-def sweep(t: Tables, resting: int, calm: float) -> bool:
+def sweep(t: Tables, resting: int, calm: float, backwards: bool) -> bool:
     """Solve each resting pair once, along the normal, then against the sliding and the rolling.
 
-    What slides faster than static friction can stop is braked by kinetic friction.
+    What slides faster than static friction can stop is braked by kinetic friction. Sweeps go to and
+    fro in turn: what comes first gives way more than what comes last, and heaps would lean.
 
     Returns whether a normal velocity changed by more than `calm` (reaches a second).
     """
@@ -252,7 +283,10 @@ def sweep(t: Tables, resting: int, calm: float) -> bool:
     softness = t.contacts.softness
     tangent_mass = t.contacts.tangent_mass
     wild = False
-    for k in range(resting):
+    onwards = -1 if backwards else 1
+    k = resting if backwards else -1
+    for _ in range(resting):
+        k += onwards
         pair = pairs.resting[k]
         a = pairs.a[pair]
         b = pairs.b[pair]

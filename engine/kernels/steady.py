@@ -1,23 +1,38 @@
-"""What rests and does not move needs no substeps: forces alone are balanced, once a tick.
+"""What rests and does not move needs no substeps: forces alone are balanced, once a tick at most.
 
 Impulses that stop what still moves must not be taken for loads that last, or heaps would rock
 themselves up. So the sweep starts from the loads of the last part and balances the accelerations;
 what velocity the bodies have is left to the pass without springs at the end of the part. Contacts
 are rigid meanwhile: overlaps stay as they are.
+
+Bodies that stick to the ground do not move at all (see `sticking`). Once sweeps have settled, the
+loads go on to bear the forces as they are for some ticks, until they no longer do,
+or somebody acts on the world.
 """
 
-from engine.kernels.books import note_part
-from engine.kernels.contacts import STEADY_SWEEPS, STILL, stiffen, sweep_until_calm, warm_start
+from engine.kernels.books import book_halt, note_part
+from engine.kernels.contacts import (
+    STEADY_SWEEPS,
+    STILL,
+    stiffen,
+    sweep,
+    sweep_until_calm,
+    warm_start,
+)
 from engine.kernels.following import find_points, follow, has_drifted
+from engine.kernels.sticking import FIXED, find_fixed
 from engine.kernels.touches import touch
 from engine.tables import Tables
 
-SLOW = 2e-5
+MOVING, UNEVEN, BALANCED, RELYING = 0, 1, 2, 3
+"""How forces are borne in a tick: not steadily; steadily, but sweeps have not come to their end;
+they have; by the loads of the last tick."""
+
+SLOW = 5e-4
 """Bodies that move slower are calm, in reaches of each a second (1/s)."""
 
-FAST = 2e-4
-"""Bodies that move faster are no longer calm, in the same unit: one look a tick lags behind what
-leans, so that high towers begin to sway."""
+FAST = 2e-3
+"""Bodies that move faster are no longer calm, in the same unit."""
 
 EVEN = 0.1
 """Share that counts of what changes a disc's velocity: discs may roll, if they do it evenly."""
@@ -30,8 +45,15 @@ LONG = 12
 """Ticks for which all that rests must have been calm to be steady: what swings stands still too,
 where it turns."""
 
-BALANCED = 1e-3
-"""One sweep that changes no velocity by more has balanced the forces, in reaches a second (1/s)."""
+BEARING = 1e-3
+"""If one sweep changes no velocity by more, loads bear the forces, in reaches a second (1/s)."""
+
+TRUSTED = 8
+"""Ticks for which loads that balance the forces are relied on."""
+
+EXACTLY = 5e-6
+"""What forces may change a velocity by in a tick more than when they were balanced, while loads are
+relied on, in the same unit."""
 
 
 def is_steady(t: Tables, count: int, resting: int, dt: float) -> bool:
@@ -88,13 +110,39 @@ def watch(t: Tables, row: int, dt: float) -> None:
         bodies.calm[row] = 0
 
 
-def balance(t: Tables, count: int, resting: int, part: float) -> bool:
+def relies(t: Tables, count: int, resting: int, part: float) -> bool:
+    """Bear the forces for a part of the tick (s) by the loads of the last one, if they still do."""
+    state = t.state
+    if state.trusted[0] == 0:
+        return False
+    state.trusted[0] -= 1
+    bodies = t.bodies
+    for k in range(resting):
+        if t.pairs.steady[t.pairs.resting[k]] == 0:
+            return False
+        take_up(t, t.pairs.resting[k], part)
+    push_all(t, count, part)
+    warm_start(t, resting)
+    for row in range(count):
+        if bodies.held[row] > 0:
+            reach = bodies.reach[row]
+            more = abs(bodies.kick_x[row] - bodies.left_x[row])
+            more += abs(bodies.kick_y[row] - bodies.left_y[row])
+            more += abs(bodies.kick_spin[row] - bodies.left_spin[row]) * reach
+            if more > EXACTLY * reach:
+                return False
+    for k in range(resting):
+        touch(t, t.pairs.resting[k])
+    bend(t, count, part)
+    return True
+
+
+def balance(t: Tables, count: int, resting: int, part: float) -> int:
     """Bear the forces for a part of the tick (s) and bend the paths of what rests accordingly.
 
-    Bodies are noted at their middle poses. Returns whether that took no more than one sweep; if it
-    did, the loads are still good to start from.
+    Bodies are noted at their middle poses. Returns `MOVING` if one sweep does not nearly do it;
+    else the loads are still good to start from: `UNEVEN` or `BALANCED`.
     """
-    bodies = t.bodies
     contacts = t.contacts
     for k in range(resting):
         pair = t.pairs.resting[k]
@@ -104,32 +152,78 @@ def balance(t: Tables, count: int, resting: int, part: float) -> bool:
             find_points(t, pair, part / 2.0)
         stiffen(t, pair, part)
         foresee(t, pair)
-    for row in range(count):
-        if bodies.held[row] > 0:
-            bodies.kick_x[row] = bodies.ax[row] * part
-            bodies.kick_y[row] = bodies.ay[row] * part
-            bodies.kick_spin[row] = bodies.aspin[row] * part
+    push_all(t, count, part)
     warm_start(t, resting)
-    balanced = sweep_until_calm(t, resting, 1, BALANCED)
-    if balanced:
+    found = MOVING
+    if not sweep(t, resting, BEARING, False):
         for k in range(resting):
             touch(t, t.pairs.resting[k])
-        sweep_until_calm(t, resting, STEADY_SWEEPS, STILL)
+        found = BALANCED if sweep_until_calm(t, resting, STEADY_SWEEPS, STILL) else UNEVEN
     for k in range(resting):
         pair = t.pairs.resting[k]
         for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
             contacts.normal_load[row] = contacts.normal_impulse[row] / part
             contacts.tangent_load[row] = contacts.tangent_impulse[row] / part
+    if found != MOVING:
+        find_fixed(t, count, resting)
+        bend(t, count, part)
+    return found
+
+
+def push_all(t: Tables, count: int, part: float) -> None:
+    """Kick what rests by the forces of a part of the tick (s)."""
+    bodies = t.bodies
     for row in range(count):
         if bodies.held[row] > 0:
-            bodies.path_x[row] = bodies.kick_x[row] / part
-            bodies.path_y[row] = bodies.kick_y[row] / part
-            bodies.path_spin[row] = bodies.kick_spin[row] / part
-            bodies.kick_x[row] += bodies.vx[row]
-            bodies.kick_y[row] += bodies.vy[row]
-            bodies.kick_spin[row] += bodies.spin[row]
+            bodies.kick_x[row] = bodies.ax[row] * part
+            bodies.kick_y[row] = bodies.ay[row] * part
+            bodies.kick_spin[row] = bodies.aspin[row] * part
+
+
+def bend(t: Tables, count: int, part: float) -> None:
+    """Bend the paths of what rests by what forces and loads kick it in a part of the tick (s); halt
+    what is fixed.
+    """
+    bodies = t.bodies
+    for row in range(count):
+        if bodies.held[row] > 0:
             note_part(bodies, row)
-    return balanced
+            bodies.left_x[row] = bodies.kick_x[row]
+            bodies.left_y[row] = bodies.kick_y[row]
+            bodies.left_spin[row] = bodies.kick_spin[row]
+            if bodies.stuck[row] == FIXED:
+                halt(t, row)
+            else:
+                bodies.path_x[row] = bodies.kick_x[row] / part
+                bodies.path_y[row] = bodies.kick_y[row] / part
+                bodies.path_spin[row] = bodies.kick_spin[row] / part
+            bodies.kick_x[row] = bodies.vx[row] + bodies.path_x[row] * part
+            bodies.kick_y[row] = bodies.vy[row] + bodies.path_y[row] * part
+            bodies.kick_spin[row] = bodies.spin[row] + bodies.path_spin[row] * part
+
+
+def halt(t: Tables, row: int) -> None:
+    """Let a body not move."""
+    bodies = t.bodies
+    bodies.path_x[row] = 0.0
+    bodies.path_y[row] = 0.0
+    bodies.path_spin[row] = 0.0
+    moves = bodies.vx[row] != 0.0 or bodies.vy[row] != 0.0 or bodies.spin[row] != 0.0
+    if moves and bodies.inverse_mass[row] > 0.0:
+        book_halt(t, row)
+        bodies.vx[row] = 0.0
+        bodies.vy[row] = 0.0
+        bodies.spin[row] = 0.0
+
+
+def book_fixed(t: Tables, count: int, share: float) -> None:
+    """Book to the ground, for a share of the part, what it gave to fixed bodies besides loads."""
+    bodies = t.bodies
+    for row in range(count):
+        fixed = bodies.held[row] > 0 and bodies.stuck[row] == FIXED
+        if fixed and bodies.inverse_mass[row] > 0.0:
+            t.books.wall_x[0] -= bodies.mass[row] * bodies.left_x[row] * share
+            t.books.wall_y[0] -= bodies.mass[row] * bodies.left_y[row] * share
 
 
 def foresee(t: Tables, pair: int) -> None:

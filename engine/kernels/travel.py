@@ -30,7 +30,16 @@ from engine.kernels.resting import (
     settle,
 )
 from engine.kernels.sensing import sense_at_end, sense_passing
-from engine.kernels.steady import balance, is_steady
+from engine.kernels.steady import (
+    BALANCED,
+    MOVING,
+    RELYING,
+    TRUSTED,
+    balance,
+    book_fixed,
+    is_steady,
+    relies,
+)
 from engine.kernels.touches import collect, take_back, touch
 from engine.linkage.answers import changed, has_braces
 from engine.linkage.limb_impacts import bone_changed, tree_at
@@ -122,7 +131,7 @@ def travel(
     """
     while now < dt:
         resting = settle(t, count, pair_count, substep)
-        part, held, steady = plan(t, count, resting, now, dt, substep)
+        part, held, steadiness = plan(t, count, resting, now, dt, substep)
         joined = joints_that_act(t)
         first = t.impacts.written[0]
         if resting > 0:
@@ -140,7 +149,7 @@ def travel(
         reached = part
         if queued > 0:
             status, reached = meet_all(
-                t, queued, held + joined, steady, now, part, dt, substep, limit
+                t, queued, held + joined, steadiness != MOVING, now, part, dt, substep, limit
             )
         if straight:
             drift_all(t.bodies, count, reached)
@@ -148,11 +157,15 @@ def travel(
             advance_all(t.bodies, count, reached)
         if held > 0:
             book_part(t, held, count, part, reached, t.impacts.written[0] > first)
+            if steadiness != MOVING:
+                book_fixed(t, count, reached / part)
             if reached < part:
                 take_back(t, held, 1.0 - reached / part)
             correct_arms(t, held, count, first, now, part, reached)
-        if held > 0 or joined > 0:
-            relax(t, held, count, part, reached / part, steady)
+        if (held > 0 or joined > 0) and (steadiness != RELYING or reached < part):
+            still = relax(t, held, count, part, reached / part, steadiness != MOVING)
+            balanced = still and steadiness == BALANCED and reached == part
+            t.state.trusted[0] = TRUSTED if balanced else 0
         now = dt if reached >= part and part == dt - now else now + reached
         if status != DONE and now < dt:
             return status, now
@@ -170,18 +183,21 @@ def travel(
 
 def plan(
     t: Tables, count: int, resting: int, now: float, dt: float, substep: float
-) -> tuple[float, int, bool]:
+) -> tuple[float, int, int]:
     """Choose the length of the next part of the tick (s), and bend the paths of what is held.
 
-    Returns the length, the number of pairs that rest in it, and whether they do so steadily.
+    Returns the length, the number of pairs that rest in it, and how steadily; see `steady`.
     """
     part = dt - now
     if resting == 0 and not joints_act(t):
-        return part, 0, False
+        return part, 0, MOVING
     if now == 0.0 and not joints_act(t) and is_steady(t, count, resting, dt):
+        if relies(t, count, resting, dt):
+            return part, resting, RELYING
         place_middle(t, count, dt / 2.0)
-        if balance(t, count, resting, dt):
-            return part, resting, True
+        steadiness = balance(t, count, resting, dt)
+        if steadiness != MOVING:
+            return part, resting, steadiness
     shortest = part_for_joints(t, substep, part, resting)
     if shortest < part * (1.0 - 1e-9):
         part = shortest
@@ -189,7 +205,7 @@ def plan(
     while t.bones.sizes[5] > 0 and resting == 0 and part > substep * SHORTEST:
         part /= 2.0
         hold(t, count, 0, now, part, substep)
-    return part, held, False
+    return part, held, MOVING
 
 
 def meet_all(

@@ -61,6 +61,10 @@ class Bodies(NamedTuple):
     """Row in `Bones`, plus 1, of a body that moves in a tree of hinges; else 0."""
     calm: Ints
     """For how many ticks the body has rested and been calm."""
+    cluster: Ints
+    """A body that it is rigidly one with, itself if there is none; see `sticking`."""
+    stuck: Ints
+    """By how many pins that cluster sticks to the ground, 2 at most."""
     last_x: Floats
     """Pose and velocity when that was last looked at (m, m/s)."""
     last_y: Floats
@@ -133,6 +137,14 @@ class Bodies(NamedTuple):
     mean_y: Floats
     mean_spin: Floats
     """(rad/s)"""
+    left_x: Floats
+    """What loads did not bear when forces were balanced: a change of velocity in a tick (m/s)."""
+    left_y: Floats
+    left_spin: Floats
+    """(rad/s)"""
+    pin_x: Floats
+    """Where the first of these pins is (m)."""
+    pin_y: Floats
     middle_x: Floats
     """Pose in the middle of the present part, at the end of it once contacts relax (m)."""
     middle_y: Floats

@@ -69,6 +69,8 @@ class State(NamedTuple):
     """1 if the list of pairs is to be made anew, whatever the boxes say."""
     loose: Ints
     """1 if the joints are to be put in order anew."""
+    trusted: Ints
+    """Ticks for which what rests steadily relies on its loads; see `steady`."""
 
 
 class Books(NamedTuple):
@@ -132,6 +134,8 @@ class Progress(NamedTuple):
     """Number of pairs with a sensor."""
     own_rules: Ints
     """1 if coefficients of pairs are made by Python."""
+    sweeps: Ints
+    """Sweeps over resting contacts that a part has at most."""
     recording: Ints
     """Which columns of `Tracks` to write, one bit each; 0: none."""
     moment: Ints

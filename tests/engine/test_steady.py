@@ -48,9 +48,13 @@ def test_what_hits_a_steady_pyramid_hits_it_in_time() -> None:
     above = next(box.x for box in boxes if box.y > top - 0.6)
     world.add(Circle(0.2), position=(above, top + 2.2), mass=2, restitution=0.5)
     began, energy = world.time, world.kinetic_energy + world.potential_energy
-    collisions = [c for _ in range(60) for c in world.step()]
+    collisions = []
+    fastest = 0.0
+    for _ in range(60):
+        collisions += world.step()
+        fastest = max(fastest, *(box.speed for box in boxes))
     assert collisions[0].time - began == pytest.approx(math.sqrt(2 * 2 / G), abs=1e-6)
-    assert max(box.speed for box in boxes) > 1e-4
+    assert fastest > 1e-3
     assert world.kinetic_energy + world.potential_energy < energy
 
 

@@ -24,13 +24,13 @@ def tower(world: World, height: int, size: float = 1.0) -> list[Body]:
 
 @pytest.mark.parametrize("height", [10, 20])
 def test_towers_stand_and_come_to_rest(height: int) -> None:
-    """After ten seconds no box moves faster than 1 mm/s."""
+    """They stand for a minute; after ten seconds at most nothing moves."""
     world = ground()
     boxes = tower(world, height)
-    for tick in range(620):
+    for tick in range(3600):
         world.step()
         if tick >= 600:
-            assert max(box.speed for box in boxes) < 1e-3
+            assert max(box.speed for box in boxes) < 1e-12
     for i, box in enumerate(boxes):
         assert box.x == pytest.approx(0, abs=2e-3)
         assert box.y == pytest.approx(i + 0.5, abs=1e-3 * height)
@@ -52,7 +52,7 @@ def test_a_hundred_times_heavier_box_stands_on_a_light_one() -> None:
         world.step()
     assert heavy.y == pytest.approx(1.5, abs=1e-2)
     assert light.y == pytest.approx(0.5, abs=5e-3)
-    assert max(heavy.speed, light.speed) < 1e-2  # they rock a little
+    assert max(heavy.speed, light.speed) < 1e-12
 
 
 @pytest.mark.parametrize("size", [1e-3, 1e3])

@@ -1,0 +1,131 @@
+"""Which bodies stick to the ground: they cannot move at all while contacts bear what they bear.
+
+A contact that neither opens nor slides lets its points move alike (Coulomb's law): each is a pin.
+Two bodies that share two pins are one rigid cluster; a cluster with two pins to the ground is
+fixed, and so are two of them with one each that are pinned to each other, unless the three pins
+stand in a line (the triangle of all trusses). Sweeps would find the velocity zero as well, but
+slowly: a tall heap leans as a whole for minutes before they have noticed.
+"""
+
+from engine.tables import Tables
+
+APART = 0.01
+"""Least distance of two pins that fix a body, in its reaches: discs roll on a single one."""
+
+HELD = 1.0 - 1e-9
+"""Share of the most that friction can do below which a contact sticks: what slides has it all, but
+for rounding."""
+
+LOOSE, PINNED, FIXED = 0, 1, 2
+"""A cluster that no pin, one pin or two join to the ground."""
+
+
+def find_fixed(t: Tables, count: int, resting: int) -> None:
+    """Note for each body whether contacts fix it to what never moves."""
+    bodies = t.bodies
+    for row in range(count):
+        rests = bodies.vx[row] == 0.0 and bodies.vy[row] == 0.0 and bodies.spin[row] == 0.0
+        bodies.stuck[row] = FIXED if bodies.inverse_mass[row] == 0.0 and rests else LOOSE
+        bodies.cluster[row] = row
+    for k in range(resting):
+        pair = t.pairs.resting[k]
+        a = t.pairs.a[pair]
+        b = t.pairs.b[pair]
+        movable = bodies.inverse_mass[a] > 0.0 and bodies.inverse_mass[b] > 0.0
+        if movable and pins(t, pair) == 2:
+            bodies.cluster[cluster_of(t, b)] = cluster_of(t, a)
+    grows = True
+    backwards = False
+    while grows:
+        grows = False
+        for k in range(resting):
+            if pin_down(t, t.pairs.resting[resting - 1 - k if backwards else k]):
+                grows = True
+        backwards = not backwards
+    for row in range(count):
+        bodies.stuck[row] = bodies.stuck[cluster_of(t, row)]
+
+
+def cluster_of(t: Tables, row: int) -> int:
+    """The body that stands for the cluster of another."""
+    cluster = t.bodies.cluster
+    while cluster[row] != row:
+        cluster[row] = cluster[cluster[row]]
+        row = cluster[row]
+    return row
+
+
+def pins(t: Tables, pair: int) -> int:
+    """Number of points that a contact holds together under its load."""
+    push = 0.0
+    rub = 0.0
+    loaded = 0
+    for point in range(2 * pair, 2 * pair + t.pairs.points[pair]):
+        push += t.contacts.normal_load[point]
+        rub += t.contacts.tangent_load[point]
+        if t.contacts.normal_load[point] > 0.0:
+            loaded += 1
+    return loaded if abs(rub) < HELD * t.pairs.static_friction[pair] * push else 0
+
+
+def pin_down(t: Tables, pair: int) -> bool:
+    """Pin clusters to the ground by the pins of a pair; return whether something is pinned anew."""
+    stuck = t.bodies.stuck
+    a = cluster_of(t, t.pairs.a[pair])
+    b = cluster_of(t, t.pairs.b[pair])
+    if a == b or stuck[a] + stuck[b] < PINNED + PINNED or stuck[a] + stuck[b] == FIXED + FIXED:
+        return False
+    if pins(t, pair) == 0:
+        return False
+    grows = False
+    for point in range(2 * pair, 2 * pair + t.pairs.points[pair]):
+        if t.contacts.normal_load[point] > 0.0:
+            x, y = place_of(t, pair, point)
+            if stuck[a] == FIXED:
+                grows = pin(t, b, x, y) or grows
+            elif stuck[b] == FIXED:
+                grows = pin(t, a, x, y) or grows
+            elif is_triangle(t, a, b, x, y):
+                stuck[a] = FIXED
+                stuck[b] = FIXED
+                grows = True
+    return grows
+
+
+def place_of(t: Tables, pair: int, point: int) -> tuple[float, float]:
+    """Where a point of contact is (m)."""
+    a = t.pairs.a[pair]
+    nx = t.pairs.normal_x[pair]
+    ny = t.pairs.normal_y[pair]
+    across = t.contacts.normal_arm_a[point]
+    along = t.contacts.tangent_arm_a[point]
+    x = t.bodies.middle_x[a] + along * nx + across * ny
+    return x, t.bodies.middle_y[a] + along * ny - across * nx
+
+
+def pin(t: Tables, row: int, x: float, y: float) -> bool:
+    """Pin a cluster to the ground at (x, y) (m); return whether it was not pinned there before."""
+    bodies = t.bodies
+    if bodies.stuck[row] == LOOSE:
+        bodies.stuck[row] = PINNED
+        bodies.pin_x[row] = x
+        bodies.pin_y[row] = y
+        return True
+    x -= bodies.pin_x[row]
+    y -= bodies.pin_y[row]
+    least = APART * bodies.reach[row]
+    if bodies.stuck[row] == PINNED and x * x + y * y > least * least:
+        bodies.stuck[row] = FIXED
+        return True
+    return False
+
+
+def is_triangle(t: Tables, a: int, b: int, x: float, y: float) -> bool:
+    """Whether a pin at (x, y) (m) between two clusters forms a triangle with those of each."""
+    bodies = t.bodies
+    ax = bodies.pin_x[a] - x
+    ay = bodies.pin_y[a] - y
+    bx = bodies.pin_x[b] - x
+    by = bodies.pin_y[b] - y
+    least = APART * bodies.reach[a] * bodies.reach[b]
+    return abs(ax * by - ay * bx) > least
