@@ -58,6 +58,7 @@ def _produce(
 
 def ready(watcher: Watcher) -> bool:
     """Whether pictures can be drawn at all; says why not, or prepares for a longer run."""
+    gc.freeze()  # what is imported stays: to look through it again takes 0.1 s
     gc.enable()
     trouble = pygame_trouble()
     if trouble is not None:
