@@ -27,9 +27,13 @@ drums on its neighbours in a heap rests on them."""
 AGAIN = 6.0
 """Bodies that met within so many substeps have just met."""
 
-YIELDS = 0.02
+YIELDS = 0.05
 """Share of the speed of free bodies that joined ones change by at least, if they yield at all: the
 impulse that is lacking is found by division by it, and bodies that are jammed hardly move."""
+
+WEDGED = 0.3
+"""Where joints turn a larger share of a push along the surface into one across it, or let less of
+it through, friction of an impact would make bodies meet again at once, without end: none acts."""
 
 
 def strike(
@@ -243,18 +247,22 @@ def exchange_with_joints(
         free = response(t, pair, x, y, nx, ny)
     t.books.restitution_heat[0] += total * (speed - total * yields / 2.0)
     t.books.joint_work[0] += total * total * (free - yields) / 2.0
-    belt = belt_speed(t, pair, nx, ny)
-    before = slip(t, pair, x, y) + belt
     give_with_joints(t, pair, x, y, total * nx, total * ny, time)
+    belt = belt_speed(t, pair, nx, ny)
     sliding = slip(t, pair, x, y) + belt
+    pressing = yields
     free = response(t, pair, x, y, -ny, nx)
-    yields = closing(t, pair, x, y, -ny, nx, push(t, pair, x, y, -ny, nx))
-    if yields < YIELDS * free:
-        yields = free
-    along = -sliding / yields
+    by = push(t, pair, x, y, -ny, nx)
+    yields = closing(t, pair, x, y, -ny, nx, by)
+    along = 0.0
+    wedged = closing(t, pair, x, y, nx, ny, by)
+    if yields > WEDGED * free and abs(wedged) < WEDGED * pressing:
+        along = -sliding / yields
     most = t.pairs.friction[pair] * total
-    if (along > most or along < -most) and not sticks(t, pair, before, sliding, yields, total):
-        along = most if along > 0.0 else -most
+    if along > most:
+        along = most
+    elif along < -most:
+        along = -most
     t.books.friction_heat[0] -= along * (sliding + along * yields / 2.0)
     t.books.wall_work[0] -= along * belt
     t.books.joint_work[0] += along * along * (free - yields) / 2.0
