@@ -13,6 +13,10 @@ from engine.manifolds.link import OWN as ITS_OWN
 from engine.manifolds.round_hull import round_hull
 from engine.tables import Tables
 
+DEEP = 0.1
+"""Where its own sides see another hull deeper than this within, in reaches of the smaller body, a
+piece takes its inner edges for sides: to part what overlaps, the shortest way is the safest."""
+
 ALONGSIDE = 3
 """Whose a direction from a corner is, besides what `link` knows: it means the piece's own side."""
 
@@ -165,8 +169,10 @@ def hull_seam(t: Tables, a: int, b: int, size: float) -> int:
         apart = ghost
     if apart > 0.0 and pieces.radius[a] + pieces.radius[b] > 0.0:
         return rounded_seam(t, a, b, tie)
-    if own < -1e299 or others > own + tie:
+    if others > own + tie:
         return 0
+    if own < -DEEP * size and ghost > own:
+        return hull_hull(pieces, t.corners, t.touch, a, b, tie)
     reference = b if of_b > of_a + tie else a
     if ghost > 0.0 and pieces.seams[reference] == 0:
         return 0
