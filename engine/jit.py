@@ -74,6 +74,7 @@ SOURCES = (
     "kernels.spring",
     "kernels.steady",
     "kernels.sticking",
+    "kernels.sweeps",
     "kernels.touches",
     "kernels.travel",
     "kernels.tick",

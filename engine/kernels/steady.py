@@ -11,16 +11,10 @@ or somebody acts on the world.
 """
 
 from engine.kernels.books import book_halt, note_part
-from engine.kernels.contacts import (
-    STEADY_SWEEPS,
-    STILL,
-    stiffen,
-    sweep,
-    sweep_until_calm,
-    warm_start,
-)
+from engine.kernels.contacts import STEADY_SWEEPS, STILL, stiffen
 from engine.kernels.following import find_points, follow, has_drifted
 from engine.kernels.sticking import FIXED, find_fixed
+from engine.kernels.sweeps import sweep, sweep_until_calm, warm_start
 from engine.kernels.touches import touch
 from engine.tables import Tables
 

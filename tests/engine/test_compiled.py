@@ -1,5 +1,6 @@
 """Compiled and interpreted kernels are one and the same source, and give the same bits."""
 
+import math
 import random
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
@@ -176,6 +177,23 @@ def test_joints_shapes_and_contact_laws_give_the_same_bits() -> None:
             world.step()
     assert worlds[0].digest() == worlds[1].digest()
     assert worlds[0].ledger() == worlds[1].ledger()
+
+
+def test_a_pyramid_of_base_40_creeps_by_less_than_a_millimetre_and_comes_to_rest() -> None:
+    """820 boxes, ten seconds; here because only compiled kernels do that in a moment."""
+    world = World(gravity=(0.0, -9.81), integrator="velocity-verlet", kernels="compiled")
+    world.add(Wall((-50, 0), (50, 0)), friction=0.6)
+    boxes = [
+        world.add(Box(1, 1), position=((i - (40 - row) / 2) * 1.05, row + 0.5), friction=0.6)
+        for row in range(40)
+        for i in range(40 - row)
+    ]
+    world.run(60)
+    places = [box.position for box in boxes]
+    world.run(540)
+    ways = [math.dist(box.position, p) for box, p in zip(boxes, places, strict=True)]
+    assert max(ways) < 1e-3
+    assert max(box.speed for box in boxes) < 1e-12
 
 
 def test_a_world_may_change_between_two_ticks(monkeypatch: pytest.MonkeyPatch) -> None:

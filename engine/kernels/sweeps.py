@@ -1,0 +1,175 @@
+"""Sequential impulses: one resting contact after another is solved as if it were the only one.
+
+Each sweep brings the impulses nearer to those that suit all (projected Gauss-Seidel: Erin Catto,
+"Iterative dynamics with temporal coherence", 2005). They start from those of the part before.
+"""
+
+from engine.kernels.rubbing import outruns_forces, resist_rolling
+from engine.tables import Tables
+
+
+def warm_start(t: Tables, resting: int) -> None:
+    """Apply the impulses of the part before."""
+    bodies = t.bodies
+    contacts = t.contacts
+    pairs = t.pairs
+    kick_x = bodies.kick_x
+    kick_y = bodies.kick_y
+    kick_spin = bodies.kick_spin
+    for k in range(resting):
+        pair = pairs.resting[k]
+        push = 0.0
+        rub = 0.0
+        turn_a = 0.0
+        turn_b = 0.0
+        pairs.acting[pair] = pairs.points[pair]
+        for row in range(2 * pair, 2 * pair + pairs.points[pair]):
+            normal = contacts.normal_impulse[row]
+            tangent = contacts.tangent_impulse[row]
+            push += normal
+            rub += tangent
+            turn_a += normal * contacts.normal_arm_a[row] + tangent * contacts.tangent_arm_a[row]
+            turn_b += normal * contacts.normal_arm_b[row] + tangent * contacts.tangent_arm_b[row]
+        if push == 0.0:
+            pairs.rolling_torque[pair] = 0.0
+        else:
+            nx = pairs.normal_x[pair]
+            ny = pairs.normal_y[pair]
+            x = push * nx - rub * ny
+            y = push * ny + rub * nx
+            a = pairs.a[pair]
+            b = pairs.b[pair]
+            kick_x[a] -= bodies.inverse_mass[a] * x
+            kick_y[a] -= bodies.inverse_mass[a] * y
+            kick_x[b] += bodies.inverse_mass[b] * x
+            kick_y[b] += bodies.inverse_mass[b] * y
+            rolling = pairs.rolling_torque[pair]
+            if rolling != 0.0:
+                turn_a += rolling * pairs.part[pair]
+                turn_b += rolling * pairs.part[pair]
+            kick_spin[a] -= bodies.inverse_inertia[a] * turn_a
+            kick_spin[b] += bodies.inverse_inertia[b] * turn_b
+
+
+def sweep_until_calm(t: Tables, resting: int, most: int, calm: float) -> bool:
+    """Solve all resting pairs one after the other, again while that changes more than `calm` (1/s),
+    `most` times at most; return whether it became calm.
+    """
+    for i in range(most):  # noqa: SIM110, a loop that can be compiled
+        if not sweep(t, resting, calm, i % 2 == 0):
+            return True
+    return False
+
+
+def sweep(t: Tables, resting: int, calm: float, backwards: bool) -> bool:
+    """Solve each resting pair once, along the normal, then against the sliding and the rolling.
+
+    What slides faster than static friction can stop is braked by kinetic friction. Sweeps go to and
+    fro in turn: what comes first gives way more than what comes last, and heaps would lean.
+
+    Returns whether a normal velocity changed by more than `calm` (reaches a second).
+    """
+    bodies = t.bodies
+    pairs = t.pairs
+    kick_x = bodies.kick_x
+    kick_y = bodies.kick_y
+    kick_spin = bodies.kick_spin
+    normal_arm_a = t.contacts.normal_arm_a
+    normal_arm_b = t.contacts.normal_arm_b
+    tangent_arm_a = t.contacts.tangent_arm_a
+    tangent_arm_b = t.contacts.tangent_arm_b
+    normal_impulse = t.contacts.normal_impulse
+    tangent_impulse = t.contacts.tangent_impulse
+    target = t.contacts.target
+    hardness = t.contacts.hardness
+    softness = t.contacts.softness
+    tangent_mass = t.contacts.tangent_mass
+    wild = False
+    onwards = -1 if backwards else 1
+    k = resting if backwards else -1
+    for _ in range(resting):
+        k += onwards
+        pair = pairs.resting[k]
+        a = pairs.a[pair]
+        b = pairs.b[pair]
+        nx = pairs.normal_x[pair]
+        ny = pairs.normal_y[pair]
+        grip = pairs.static_friction[pair]
+        friction = pairs.friction[pair]
+        still = calm * pairs.size[pair]
+        mass_a = bodies.inverse_mass[a]
+        mass_b = bodies.inverse_mass[b]
+        mass = mass_a + mass_b
+        turn_a = bodies.inverse_inertia[a]
+        turn_b = bodies.inverse_inertia[b]
+        vx = kick_x[b] - kick_x[a]
+        vy = kick_y[b] - kick_y[a]
+        spin_a = kick_spin[a]
+        spin_b = kick_spin[b]
+        arm_a = 0.0
+        arm_b = 0.0
+        opening = vx * nx + vy * ny
+        sliding = vy * nx - vx * ny
+        push = 0.0
+        rub = 0.0
+        first = 2 * pair
+        end = first + pairs.points[pair]
+        for row in range(first, end):
+            arm_a = normal_arm_a[row]
+            arm_b = normal_arm_b[row]
+            before = normal_impulse[row]
+            speed = opening + spin_b * arm_b - spin_a * arm_a + target[row]
+            after = before - hardness[row] * speed - softness[row] * before
+            if after < 0.0:
+                after = 0.0
+            normal_impulse[row] = after
+            change = after - before
+            push += change
+            opening += mass * change
+            spin_a -= turn_a * arm_a * change
+            spin_b += turn_b * arm_b * change
+            most = still * hardness[row]
+            if change > most or -change > most:
+                wild = True
+        if grip > 0.0:
+            sliding += pairs.belt_speed[pair]
+            slips = grip > friction
+            for row in range(first, end):
+                arm_a = tangent_arm_a[row]
+                arm_b = tangent_arm_b[row]
+                before = tangent_impulse[row]
+                after = before - tangent_mass[row] * (sliding + spin_b * arm_b - spin_a * arm_a)
+                most = grip * normal_impulse[row]
+                if after > most:
+                    after = most
+                elif after < -most:
+                    after = -most
+                else:
+                    slips = False
+                tangent_impulse[row] = after
+                change = after - before
+                rub += change
+                sliding += mass * change
+                spin_a -= turn_a * arm_a * change
+                spin_b += turn_b * arm_b * change
+            if slips and outruns_forces(t, pair, sliding + spin_b * arm_b - spin_a * arm_a):
+                for row in range(first, end):
+                    before = tangent_impulse[row]
+                    change = before * (friction / grip - 1.0)
+                    tangent_impulse[row] = before + change
+                    rub += change
+                    spin_a -= turn_a * tangent_arm_a[row] * change
+                    spin_b += turn_b * tangent_arm_b[row] * change
+        if pairs.rolling_resistance[pair] > 0.0 and turn_a + turn_b > 0.0:
+            change = resist_rolling(t, pair, spin_b - spin_a, turn_a + turn_b)
+            spin_a -= turn_a * change
+            spin_b += turn_b * change
+        x = push * nx - rub * ny
+        y = push * ny + rub * nx
+        kick_x[a] -= mass_a * x
+        kick_y[a] -= mass_a * y
+        kick_spin[a] = spin_a
+        kick_x[b] += mass_b * x
+        kick_y[b] += mass_b * y
+        kick_spin[b] = spin_b
+    return wild
