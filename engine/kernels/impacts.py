@@ -31,9 +31,9 @@ YIELDS = 0.05
 """Share of the speed of free bodies that joined ones change by at least, if they yield at all: the
 impulse that is lacking is found by division by it, and bodies that are jammed hardly move."""
 
-WEDGED = 0.3
-"""Where joints turn a larger share of a push along the surface into one across it, or let less of
-it through, friction of an impact would make bodies meet again at once, without end: none acts."""
+WEDGED = 0.8
+"""Where joints turn a larger share of a push along the surface into one across it, friction of an
+impact would make bodies meet again at once, without end: none acts."""
 
 
 def strike(
@@ -234,9 +234,9 @@ def exchange_with_joints(
     ny = t.touch.normal_y[0]
     free = response(t, pair, x, y, nx, ny)
     yields = closing(t, pair, x, y, nx, ny, push(t, pair, x, y, nx, ny))
-    if yields < YIELDS * free:  # what is jammed hardly moves: rounding must not be divided by
-        yields = free
-        other = -1
+    jammed = t.bodies.joined[a] == t.bodies.joined[b] or t.bodies.inverse_mass[a] == 0.0
+    if yields < YIELDS * free and (jammed or t.bodies.inverse_mass[b] == 0.0):
+        return  # they cannot approach: the joints will stop at the end of the part what does so
     total = bounce * speed / yields
     if other >= 0:
         share, total = share_with_joints(t, pair, one, other, bounce, yields)
@@ -256,7 +256,7 @@ def exchange_with_joints(
     yields = closing(t, pair, x, y, -ny, nx, by)
     along = 0.0
     wedged = closing(t, pair, x, y, nx, ny, by)
-    if yields > WEDGED * free and abs(wedged) < WEDGED * pressing:
+    if yields > YIELDS * free and abs(wedged) < WEDGED * pressing:
         along = -sliding / yields
     most = t.pairs.friction[pair] * total
     if along > most:
