@@ -107,7 +107,7 @@ def write_piece(t: Tables, shape: Piece, body: int, row: int, corner: int) -> No
     p.body[row], p.first[row], p.corners[row] = body, corner, len(points)
     p.radius[row], p.one_sided[row] = radius, int(shape.one_sided)
     p.before[row], p.after[row] = shape.before, shape.after
-    p.seams[row] = int(bool(shape.seams))
+    p.seams[row] = int(bool(shape.seams) and t.bodies.inverse_mass[body] == 0.0)
     write_seams(t.corners, shape, corner)
     p.x[row], p.y[row] = shape.center
     p.reach[row] = radius + max(math.dist(point, shape.center) for point in points)

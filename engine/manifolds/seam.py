@@ -168,7 +168,12 @@ def hull_seam(t: Tables, a: int, b: int, size: float) -> int:
     if ghost > apart:
         apart = ghost
     if apart > 0.0 and pieces.radius[a] + pieces.radius[b] > 0.0:
-        return rounded_seam(t, a, b, tie)
+        points, owner = rounded_seam(t, a, b, tie)
+        if owner != ALONGSIDE:
+            return points
+        if pieces.seams[a] == 1:
+            return clip(pieces, t.corners, t.touch, a, b, side_a)
+        return clip_other(pieces, t.corners, t.touch, a, b, side_b)
     if others > own + tie:
         return 0
     if own < -DEEP * size and ghost > own:
@@ -220,12 +225,12 @@ def furthest_own(t: Tables, hull: int, other: int) -> tuple[float, int, float, f
     return own, side, others, ghost
 
 
-def rounded_seam(t: Tables, a: int, b: int, tie: float) -> int:
-    """The same for rounded hulls whose cores are apart: closest points count."""
+def rounded_seam(t: Tables, a: int, b: int, tie: float) -> tuple[int, int]:
+    """The same for rounded hulls whose cores are apart: closest points; and whose."""
     touch = t.touch
     points = hull_hull(t.pieces, t.corners, touch, a, b, tie)
     if points == 0:
-        return 0
+        return 0, ITS_OWN
     lowest = 1 if points == 2 and touch.gap[1] < touch.gap[0] else 0
     of_a = touch.feature[lowest] // 4096
     of_b = touch.feature[lowest] - of_a * 4096
@@ -238,4 +243,4 @@ def rounded_seam(t: Tables, a: int, b: int, tie: float) -> int:
         owner = of_feature(t, a, t.pieces.first[a] + of_a, x, y, at_x, at_y)
     if owner == ITS_OWN and t.pieces.seams[b] == 1:
         owner = of_feature(t, b, t.pieces.first[b] + of_b, -x, -y, at_x, at_y)
-    return points if owner == ITS_OWN else 0
+    return (points if owner == ITS_OWN else 0), owner
