@@ -51,7 +51,8 @@ BARELY = 1e-9
 they were: what they still exchange is as little."""
 
 WILD_SWEEPS = 4
-"""Sweeps after which contacts that are still wild are left as they are: bodies tumble."""
+"""Sweeps after which contacts that are still wild are left as they are, as bodies tumble; not where
+joints act, whose strain would grow."""
 
 WILD = 0.2
 """A sweep that changes a contact's velocity by more is wild, in the same unit."""
@@ -79,8 +80,9 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
         harden(t, resting)
     warm_start(t, resting)
     t.progress.sweeps[0] = 2 * MOST_SWEEPS if is_uneven(t, resting) else MOST_SWEEPS
+    gives_up = not violent and not joints_act(t)
     for i in range(1, (PATIENT_SWEEPS if violent else t.progress.sweeps[0]) + 1):
-        last = i == WILD_SWEEPS and not violent
+        last = gives_up and i == WILD_SWEEPS
         changed = sweep(t, resting, WILD if last else CALM, i % 2 == 0)
         failed = bind(t, part)
         if changed == last and (resting == 0 or failed <= CALM):
@@ -147,8 +149,9 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
     else:
         violent = is_violent(t, left)
         polish = CALM if violent else FINE
+        gives_up = not violent and not joints_act(t)
         for i in range(1, (PATIENT_SWEEPS if violent else t.progress.sweeps[0]) + 1):
-            last = i == WILD_SWEEPS and not violent
+            last = gives_up and i == WILD_SWEEPS
             changed = sweep(t, left, WILD if last else polish, i % 2 == 1)
             failed = ease(t)
             if changed == last and (left == 0 or failed <= CALM):
