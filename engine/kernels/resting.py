@@ -27,6 +27,9 @@ KEEPING = 5e-3
 OVERLAP = 1e-3
 """Overlap that has to be pushed apart whatever the motion, in the same unit."""
 
+STALLS = 20
+"""Parts without duration after which pairs are held: joints may take back at once what lets go."""
+
 HOLDS, PARTED, SLAPS = 0, 1, 2
 """What a resting pair does when a part begins: it goes on to rest; it has let go; a point of it
 that carries nothing will be hit faster than forces explain."""
@@ -148,7 +151,7 @@ def hold(t: Tables, count: int, resting: int, now: float, part: float, substep: 
                 does = prepare(t, pair, part, 2.0 * omega, firmly, bearing)
             else:
                 does = prepare(t, pair, part, omega, softly, yielding)
-            if does == PARTED:
+            if does == PARTED and t.progress.stalled[0] < STALLS:
                 leave(t, pair)
                 t.pairs.state[pair] = FREE
                 t.pairs.apart[pair] = 0.0

@@ -151,6 +151,7 @@ def travel(
             status, reached = meet_all(
                 t, queued, held + joined, steadiness != MOVING, now, part, dt, substep, limit
             )
+        t.progress.stalled[0] = t.progress.stalled[0] + 1 if reached == 0.0 else 0
         if straight:
             drift_all(t.bodies, count, reached)
         else:

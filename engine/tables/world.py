@@ -134,6 +134,8 @@ class Progress(NamedTuple):
     """Number of pairs with a sensor."""
     own_rules: Ints
     """1 if coefficients of pairs are made by Python."""
+    stalled: Ints
+    """Parts in a row that ended as they began; see `resting.STALLS`."""
     sweeps: Ints
     """Sweeps over resting contacts that a part has at most."""
     recording: Ints
