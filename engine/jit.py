@@ -44,6 +44,7 @@ SOURCES = (
     "linkage.answers",
     "linkage.geometry",
     "linkage.impulses",
+    "linkage.jolts",
     "linkage.limb_impacts",
     "linkage.limb_impulses",
     "linkage.limb_motion",

@@ -148,9 +148,10 @@ def travel(
         status = DONE
         reached = part
         if queued > 0:
-            status, reached = meet_all(
+            status, reached, queued = meet_in_order(
                 t, queued, held + joined, steadiness != MOVING, now, part, dt, substep, limit
             )
+            empty(t, queued)
         t.progress.stalled[0] = t.progress.stalled[0] + 1 if reached == 0.0 else 0
         if straight:
             drift_all(t.bodies, count, reached)
@@ -209,23 +210,6 @@ def plan(
     return part, held, MOVING
 
 
-def meet_all(
-    t: Tables,
-    queued: int,
-    held: int,
-    steady: bool,
-    now: float,
-    part: float,
-    dt: float,
-    substep: float,
-    limit: int,
-) -> tuple[int, float]:
-    """Let all impacts of a part happen in order of time; return the status and the time reached."""
-    status, reached, queued = meet_in_order(t, queued, held, steady, now, part, dt, substep, limit)
-    empty(t, queued)
-    return status, reached
-
-
 def meet_in_order(
     t: Tables,
     queued: int,
@@ -237,7 +221,9 @@ def meet_in_order(
     substep: float,
     limit: int,
 ) -> tuple[int, float, int]:
-    """Do so; return as well how many meetings are left in the queue."""
+    """Let all impacts of a part happen in order of time; return the status, the time reached, and
+    how many meetings are left in the queue.
+    """
     pairs = t.pairs
     written = t.impacts.written
     reached = 0.0

@@ -4,10 +4,9 @@ Velocities are linear in impulses, as long as no limit lets go: what a body with
 to a unit impulse (`answer`) says which impulse an impact takes, and what answers to that (`react`).
 """
 
-from engine.kernels.books import book_jolt
-from engine.kernels.pose import advance
 from engine.linkage.geometry import place_node
 from engine.linkage.impulses import add_up, take
+from engine.linkage.jolts import jolt_at
 from engine.linkage.limb_impacts import (
     answer_of_tree,
     commit_tree,
@@ -99,15 +98,11 @@ def react(t: Tables, a: int, b: int, time: float, change: Changes) -> None:
         return
     add_up(t)
     nodes = t.nodes
-    bodies = t.bodies
     for node in range(1, t.braces.sizes[1]):
         if changed(t, node):
-            row = nodes.body[node]
-            advance(bodies, row, time)
-            book_jolt(t, row, nodes.lent_x[node], nodes.lent_y[node], nodes.lent_spin[node])
-            bodies.vx[row] += nodes.lent_x[node]
-            bodies.vy[row] += nodes.lent_y[node]
-            bodies.spin[row] += nodes.lent_spin[node]
+            x = nodes.lent_x[node]
+            y = nodes.lent_y[node]
+            jolt_at(t, nodes.body[node], time, x, y, nodes.lent_spin[node])
 
 
 def still(t: Tables, node: int) -> None:

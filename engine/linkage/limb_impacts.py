@@ -1,7 +1,6 @@
 """Trees of hinged bodies at the instant in which something strikes one of them."""
 
-from engine.kernels.books import book_jolt
-from engine.kernels.pose import advance
+from engine.linkage.jolts import jolt_at
 from engine.linkage.limb_impulses import add_up_limb, lend_limb, lend_nothing
 from engine.linkage.limb_velocities import find_hinge_rate
 from engine.linkage.limbs import eliminate, load_alone, place_bone, place_limb, solve_tree
@@ -152,16 +151,11 @@ def note_change(t: Tables, tree: int, row: int, vx: float, vy: float, spin: floa
 
 def jolt_bone(t: Tables, bone: int, time: float) -> None:
     """Give a body at `time` of the part (s) what joints lent to its bone."""
-    if not bone_changed(t, bone):
-        return
     bones = t.bones
-    bodies = t.bodies
-    row = bones.body[bone]
-    advance(bodies, row, time)
-    book_jolt(t, row, bones.lent_x[bone], bones.lent_y[bone], bones.lent_spin[bone])
-    bodies.vx[row] += bones.lent_x[bone]
-    bodies.vy[row] += bones.lent_y[bone]
-    bodies.spin[row] += bones.lent_spin[bone]
+    if bone_changed(t, bone):
+        x = bones.lent_x[bone]
+        y = bones.lent_y[bone]
+        jolt_at(t, bones.body[bone], time, x, y, bones.lent_spin[bone])
 
 
 def bone_changed(t: Tables, bone: int) -> bool:

@@ -1,6 +1,6 @@
 """How impulses of hinges get to the bodies and back: bones hold what the limbs change."""
 
-from engine.kernels.books import book_jolt
+from engine.linkage.jolts import jolt_start
 from engine.tables import Tables
 
 
@@ -82,19 +82,10 @@ def lend_limb(t: Tables, k: int) -> None:
 def deliver_starts(t: Tables) -> None:
     """Give what joints lent to the bodies, from the start of the part on."""
     bones = t.bones
-    bodies = t.bodies
     for bone in range(bones.sizes[1]):
-        row = bones.body[bone]
         x = bones.lent_x[bone]
         y = bones.lent_y[bone]
-        spin = bones.lent_spin[bone]
-        book_jolt(t, row, x, y, spin)
-        bodies.vx[row] += x
-        bodies.vy[row] += y
-        bodies.spin[row] += spin
-        bodies.kick_x[row] += x
-        bodies.kick_y[row] += y
-        bodies.kick_spin[row] += spin
+        jolt_start(t, bones.body[bone], x, y, bones.lent_spin[bone])
         bones.sum_x[bone] += x
         bones.sum_y[bone] += y
 

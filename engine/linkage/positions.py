@@ -8,9 +8,9 @@ does not drift. The equations are solved by Newton's method with the matrix of t
 (`skyline`), beginning with the impulses of the part before.
 """
 
-from engine.kernels.books import book_jolt
 from engine.linkage.geometry import aim, measure, place_nodes
 from engine.linkage.impulses import add_up, lend, note_impulses, solve_for, take
+from engine.linkage.jolts import jolt_start
 from engine.linkage.limb_motion import bind_limbs, brace_limbs, keep_limb_impulses
 from engine.linkage.modes import (
     ELASTIC,
@@ -169,18 +169,12 @@ def gather_means(t: Tables) -> None:
 def deliver(t: Tables) -> None:
     """Give what joints lent to the bodies, from the start of the part on."""
     nodes = t.nodes
-    bodies = t.bodies
     for node in range(1, t.braces.sizes[1]):
-        row = nodes.body[node]
-        book_jolt(t, row, nodes.lent_x[node], nodes.lent_y[node], nodes.lent_spin[node])
-        bodies.vx[row] += nodes.lent_x[node]
-        bodies.vy[row] += nodes.lent_y[node]
-        bodies.spin[row] += nodes.lent_spin[node]
-        bodies.kick_x[row] += nodes.lent_x[node]
-        bodies.kick_y[row] += nodes.lent_y[node]
-        bodies.kick_spin[row] += nodes.lent_spin[node]
-        nodes.sum_x[node] += nodes.lent_x[node]
-        nodes.sum_y[node] += nodes.lent_y[node]
+        x = nodes.lent_x[node]
+        y = nodes.lent_y[node]
+        jolt_start(t, nodes.body[node], x, y, nodes.lent_spin[node])
+        nodes.sum_x[node] += x
+        nodes.sum_y[node] += y
 
 
 def follow_joints(t: Tables, part: float) -> None:
