@@ -41,6 +41,8 @@ SOURCES = (
     "kernels.fields",
     "kernels.following",
     "kernels.impacts",
+    "kernels.impulses",
+    "kernels.joined_impacts",
     "linkage.answers",
     "linkage.geometry",
     "linkage.impulses",

@@ -10,13 +10,12 @@ impact gains energy.
 
 import math
 
-from engine.kernels.books import book_impact
 from engine.kernels.circles import stillness
+from engine.kernels.impulses import approach, give, report, response, slip, split
+from engine.kernels.joined_impacts import exchange_with_joints
 from engine.kernels.pose import advance, place_pair
 from engine.kernels.rubbing import belt_speed
 from engine.kernels.sleeping import wake
-from engine.kernels.touches import note_impact
-from engine.linkage.answers import Changes, answer, prepare_answers, react
 from engine.manifolds.any_pair import touching_points
 from engine.tables import FREE, RESTING, Bodies, Tables
 
@@ -26,14 +25,6 @@ drums on its neighbours in a heap rests on them."""
 
 AGAIN = 6.0
 """Bodies that met within so many substeps have just met."""
-
-YIELDS = 0.05
-"""Share of the speed of free bodies that joined ones change by at least, if they yield at all: the
-impulse that is lacking is found by division by it, and bodies that are jammed hardly move."""
-
-WEDGED = 0.8
-"""Where joints turn a larger share of a push along the surface into one across it, friction of an
-impact would make bodies meet again at once, without end: none acts."""
 
 
 def strike(
@@ -113,20 +104,6 @@ def choose_points(t: Tables, pair: int, points: int, early: float) -> tuple[int,
     return -1, -1, first
 
 
-def approach(t: Tables, pair: int, point: int) -> float:
-    """Speed along the normal with which the two bodies approach at a point of `Touch` (m/s)."""
-    bodies = t.bodies
-    a = t.pairs.a[pair]
-    b = t.pairs.b[pair]
-    x = t.touch.x[point]
-    y = t.touch.y[point]
-    vx = bodies.vx[a] - bodies.spin[a] * (y - bodies.here_y[a]) - bodies.vx[b]
-    vx += bodies.spin[b] * (y - bodies.here_y[b])
-    vy = bodies.vy[a] + bodies.spin[a] * (x - bodies.here_x[a]) - bodies.vy[b]
-    vy -= bodies.spin[b] * (x - bodies.here_x[b])
-    return vx * t.touch.normal_x[0] + vy * t.touch.normal_y[0]
-
-
 def stays(t: Tables, pair: int, leaving: float, shortest: float, again: bool) -> bool:
     """Whether bodies that leave each other with a speed (m/s) are back before `shortest` (s).
 
@@ -181,11 +158,7 @@ def exchange(t: Tables, pair: int, one: int, other: int, bounce: float, time: fl
     t.books.friction_heat[0] -= along * (sliding + along * stiffness / 2.0)
     t.books.wall_work[0] -= along * belt
     give(t, pair, x, y, -along * normal_y, along * normal_x)
-    impulse_x = total * normal_x - along * normal_y
-    impulse_y = total * normal_y + along * normal_x
-    note_impact(t, pair, x, y, impulse_x, impulse_y)
-    book_impact(t, pair, x, y, impulse_x, impulse_y)
-    report(t, pair, x, y, impulse_x, impulse_y, speed, time)
+    report(t, pair, x, y, total, along, speed, time)
 
 
 def sticks(
@@ -217,137 +190,6 @@ def sticks(
     )
 
 
-def exchange_with_joints(
-    t: Tables, pair: int, one: int, other: int, bounce: float, now: float, time: float
-) -> None:
-    """The same where joints hold one of the two: all that is joined to them answers at once.
-
-    What approaches by a unit impulse, joints included, stands for the inverse masses.
-    """
-    a = t.pairs.a[pair]
-    b = t.pairs.b[pair]
-    prepare_answers(t, a, b, time)
-    x = t.touch.x[one]
-    y = t.touch.y[one]
-    speed = approach(t, pair, one)
-    nx = t.touch.normal_x[0]
-    ny = t.touch.normal_y[0]
-    free = response(t, pair, x, y, nx, ny)
-    yields = closing(t, pair, x, y, nx, ny, push(t, pair, x, y, nx, ny))
-    jammed = t.bodies.joined[a] == t.bodies.joined[b] or t.bodies.inverse_mass[a] == 0.0
-    if yields < YIELDS * free and (jammed or t.bodies.inverse_mass[b] == 0.0):
-        return  # they cannot approach: the joints will stop at the end of the part what does so
-    total = bounce * speed / yields
-    if other >= 0:
-        share, total = share_with_joints(t, pair, one, other, bounce, yields)
-        x += share * (t.touch.x[other] - x)
-        y += share * (t.touch.y[other] - y)
-        speed += share * (approach(t, pair, other) - speed)
-        yields = closing(t, pair, x, y, nx, ny, push(t, pair, x, y, nx, ny))
-        free = response(t, pair, x, y, nx, ny)
-    t.books.restitution_heat[0] += total * (speed - total * yields / 2.0)
-    t.books.joint_work[0] += total * total * (free - yields) / 2.0
-    give_with_joints(t, pair, x, y, total * nx, total * ny, time)
-    belt = belt_speed(t, pair, nx, ny)
-    sliding = slip(t, pair, x, y) + belt
-    pressing = yields
-    free = response(t, pair, x, y, -ny, nx)
-    by = push(t, pair, x, y, -ny, nx)
-    yields = closing(t, pair, x, y, -ny, nx, by)
-    along = 0.0
-    wedged = closing(t, pair, x, y, nx, ny, by)
-    if yields > YIELDS * free and abs(wedged) < WEDGED * pressing:
-        along = -sliding / yields
-    most = t.pairs.friction[pair] * total
-    if along > most:
-        along = most
-    elif along < -most:
-        along = -most
-    t.books.friction_heat[0] -= along * (sliding + along * yields / 2.0)
-    t.books.wall_work[0] -= along * belt
-    t.books.joint_work[0] += along * along * (free - yields) / 2.0
-    if along != 0.0:
-        give_with_joints(t, pair, x, y, -along * ny, along * nx, time)
-    impulse_x = total * nx - along * ny
-    impulse_y = total * ny + along * nx
-    note_impact(t, pair, x, y, impulse_x, impulse_y)
-    book_impact(t, pair, x, y, impulse_x, impulse_y)
-    report(t, pair, x, y, impulse_x, impulse_y, speed, now + time)
-
-
-def push(t: Tables, pair: int, x: float, y: float, jx: float, jy: float) -> Changes:
-    """Changes of velocity by an impulse (N s) at (x, y), given to b and its opposite to a, joints
-    included.
-    """
-    return answer(t, t.pairs.a[pair], t.pairs.b[pair], changes_by(t, pair, x, y, jx, jy))
-
-
-def changes_by(t: Tables, pair: int, x: float, y: float, jx: float, jy: float) -> Changes:
-    """The same of free bodies."""
-    bodies = t.bodies
-    a = t.pairs.a[pair]
-    b = t.pairs.b[pair]
-    turn_a = (x - bodies.here_x[a]) * jy - (y - bodies.here_y[a]) * jx
-    turn_b = (x - bodies.here_x[b]) * jy - (y - bodies.here_y[b]) * jx
-    return (
-        -bodies.inverse_mass[a] * jx,
-        -bodies.inverse_mass[a] * jy,
-        -bodies.inverse_inertia[a] * turn_a,
-        bodies.inverse_mass[b] * jx,
-        bodies.inverse_mass[b] * jy,
-        bodies.inverse_inertia[b] * turn_b,
-    )
-
-
-def closing(
-    t: Tables, pair: int, x: float, y: float, along_x: float, along_y: float, by: Changes
-) -> float:
-    """By how much changes of velocity make b leave a along a unit vector, at (x, y) (m/s)."""
-    bodies = t.bodies
-    a = t.pairs.a[pair]
-    b = t.pairs.b[pair]
-    vx = by[3] - by[5] * (y - bodies.here_y[b]) - by[0] + by[2] * (y - bodies.here_y[a])
-    vy = by[4] + by[5] * (x - bodies.here_x[b]) - by[1] - by[2] * (x - bodies.here_x[a])
-    return vx * along_x + vy * along_y
-
-
-def give_with_joints(
-    t: Tables, pair: int, x: float, y: float, jx: float, jy: float, time: float
-) -> None:
-    """Give the impulse (N s) at (x, y) to b and its opposite to a; let the joints answer."""
-    give(t, pair, x, y, jx, jy)
-    react(t, t.pairs.a[pair], t.pairs.b[pair], time, changes_by(t, pair, x, y, jx, jy))
-
-
-def share_with_joints(
-    t: Tables, pair: int, one: int, other: int, bounce: float, k11: float
-) -> tuple[float, float]:
-    """Solve for both points at once, like `share_of_two`, joints included."""
-    x = t.touch.x[other]
-    y = t.touch.y[other]
-    nx = t.touch.normal_x[0]
-    ny = t.touch.normal_y[0]
-    by = push(t, pair, x, y, nx, ny)
-    k22 = closing(t, pair, x, y, nx, ny, by)
-    k12 = closing(t, pair, t.touch.x[one], t.touch.y[one], nx, ny, by)
-    return split(k11, k12, k22, bounce * approach(t, pair, one), bounce * approach(t, pair, other))
-
-
-def response(t: Tables, pair: int, x: float, y: float, along_x: float, along_y: float) -> float:
-    """Change of relative velocity by a unit impulse at (x, y) along a unit vector (1/kg)."""
-    bodies = t.bodies
-    a = t.pairs.a[pair]
-    b = t.pairs.b[pair]
-    arm_a = (x - bodies.here_x[a]) * along_y - (y - bodies.here_y[a]) * along_x
-    arm_b = (x - bodies.here_x[b]) * along_y - (y - bodies.here_y[b]) * along_x
-    return (
-        bodies.inverse_mass[a]
-        + bodies.inverse_mass[b]
-        + arm_a * arm_a * bodies.inverse_inertia[a]
-        + arm_b * arm_b * bodies.inverse_inertia[b]
-    )
-
-
 def share_of_two(t: Tables, pair: int, one: int, other: int, bounce: float) -> tuple[float, float]:
     """Solve for both points at once: share of the second and impulse of both along the normal.
 
@@ -371,69 +213,3 @@ def share_of_two(t: Tables, pair: int, one: int, other: int, bounce: float) -> t
     v1 = bounce * approach(t, pair, one)
     v2 = bounce * approach(t, pair, other)
     return split(k11, k12, k22, v1, v2)
-
-
-def split(k11: float, k12: float, k22: float, v1: float, v2: float) -> tuple[float, float]:
-    """Share of the second of two points and impulse of both, neither pulling, for which
-
-    k11 p1 + k12 p2 = v1 and k12 p1 + k22 p2 = v2 (1/kg, m/s).
-    """
-    determinant = k11 * k22 - k12 * k12
-    if k12 > 0.0 and determinant <= 1e-12 * k11 * k22:  # hardly turn: both are alike
-        return 0.5, v1 / k12
-    if determinant <= 0.0:
-        return 0.0, v1 / k11
-    p1 = (k22 * v1 - k12 * v2) / determinant
-    p2 = (k11 * v2 - k12 * v1) / determinant
-    if p2 <= 0.0:
-        return 0.0, v1 / k11
-    if p1 <= 0.0:
-        return 1.0, v2 / k22
-    return p2 / (p1 + p2), p1 + p2
-
-
-def slip(t: Tables, pair: int, x: float, y: float) -> float:
-    """Speed of b past a at (x, y), along the normal turned left (m/s)."""
-    bodies = t.bodies
-    a = t.pairs.a[pair]
-    b = t.pairs.b[pair]
-    vx = bodies.vx[b] - bodies.spin[b] * (y - bodies.here_y[b]) - bodies.vx[a]
-    vx += bodies.spin[a] * (y - bodies.here_y[a])
-    vy = bodies.vy[b] + bodies.spin[b] * (x - bodies.here_x[b]) - bodies.vy[a]
-    vy -= bodies.spin[a] * (x - bodies.here_x[a])
-    return vy * t.touch.normal_x[0] - vx * t.touch.normal_y[0]
-
-
-def give(t: Tables, pair: int, x: float, y: float, jx: float, jy: float) -> None:
-    """Give the impulse (N s) at (x, y) to b and its opposite to a."""
-    bodies = t.bodies
-    a = t.pairs.a[pair]
-    b = t.pairs.b[pair]
-    bodies.vx[a] -= bodies.inverse_mass[a] * jx
-    bodies.vy[a] -= bodies.inverse_mass[a] * jy
-    turn = (x - bodies.here_x[a]) * jy - (y - bodies.here_y[a]) * jx
-    bodies.spin[a] -= bodies.inverse_inertia[a] * turn
-    bodies.vx[b] += bodies.inverse_mass[b] * jx
-    bodies.vy[b] += bodies.inverse_mass[b] * jy
-    turn = (x - bodies.here_x[b]) * jy - (y - bodies.here_y[b]) * jx
-    bodies.spin[b] += bodies.inverse_inertia[b] * turn
-
-
-def report(
-    t: Tables, pair: int, x: float, y: float, jx: float, jy: float, speed: float, time: float
-) -> None:
-    """Write the impact to the table; its first row counts them (see `tick`)."""
-    impacts = t.impacts
-    row = impacts.written[0]
-    impacts.written[0] = row + 1
-    impacts.a[row] = t.pairs.a[pair]
-    impacts.b[row] = t.pairs.b[pair]
-    impacts.x[row] = x
-    impacts.y[row] = y
-    impacts.normal_x[row] = t.touch.normal_x[0]
-    impacts.normal_y[row] = t.touch.normal_y[0]
-    impacts.impulse_x[row] = jx
-    impacts.impulse_y[row] = jy
-    impacts.speed[row] = speed
-    impacts.restitution[row] = t.pairs.restitution[pair]
-    impacts.time[row] = time

@@ -1,0 +1,108 @@
+"""What an impulse at a point does to two bodies that meet there, and what is written down of it."""
+
+from engine.kernels.books import book_impact
+from engine.kernels.touches import note_impact
+from engine.tables import Tables
+
+
+def approach(t: Tables, pair: int, point: int) -> float:
+    """Speed along the normal with which the two bodies approach at a point of `Touch` (m/s)."""
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    x = t.touch.x[point]
+    y = t.touch.y[point]
+    vx = bodies.vx[a] - bodies.spin[a] * (y - bodies.here_y[a]) - bodies.vx[b]
+    vx += bodies.spin[b] * (y - bodies.here_y[b])
+    vy = bodies.vy[a] + bodies.spin[a] * (x - bodies.here_x[a]) - bodies.vy[b]
+    vy -= bodies.spin[b] * (x - bodies.here_x[b])
+    return vx * t.touch.normal_x[0] + vy * t.touch.normal_y[0]
+
+
+def response(t: Tables, pair: int, x: float, y: float, along_x: float, along_y: float) -> float:
+    """Change of relative velocity by a unit impulse at (x, y) along a unit vector (1/kg)."""
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    arm_a = (x - bodies.here_x[a]) * along_y - (y - bodies.here_y[a]) * along_x
+    arm_b = (x - bodies.here_x[b]) * along_y - (y - bodies.here_y[b]) * along_x
+    return (
+        bodies.inverse_mass[a]
+        + bodies.inverse_mass[b]
+        + arm_a * arm_a * bodies.inverse_inertia[a]
+        + arm_b * arm_b * bodies.inverse_inertia[b]
+    )
+
+
+def slip(t: Tables, pair: int, x: float, y: float) -> float:
+    """Speed of b past a at (x, y), along the normal turned left (m/s)."""
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    vx = bodies.vx[b] - bodies.spin[b] * (y - bodies.here_y[b]) - bodies.vx[a]
+    vx += bodies.spin[a] * (y - bodies.here_y[a])
+    vy = bodies.vy[b] + bodies.spin[b] * (x - bodies.here_x[b]) - bodies.vy[a]
+    vy -= bodies.spin[a] * (x - bodies.here_x[a])
+    return vy * t.touch.normal_x[0] - vx * t.touch.normal_y[0]
+
+
+def split(k11: float, k12: float, k22: float, v1: float, v2: float) -> tuple[float, float]:
+    """Share of the second of two points and impulse of both, neither pulling, for which
+
+    k11 p1 + k12 p2 = v1 and k12 p1 + k22 p2 = v2 (1/kg, m/s).
+    """
+    determinant = k11 * k22 - k12 * k12
+    if k12 > 0.0 and determinant <= 1e-12 * k11 * k22:  # hardly turn: both are alike
+        return 0.5, v1 / k12
+    if determinant <= 0.0:
+        return 0.0, v1 / k11
+    p1 = (k22 * v1 - k12 * v2) / determinant
+    p2 = (k11 * v2 - k12 * v1) / determinant
+    if p2 <= 0.0:
+        return 0.0, v1 / k11
+    if p1 <= 0.0:
+        return 1.0, v2 / k22
+    return p2 / (p1 + p2), p1 + p2
+
+
+def give(t: Tables, pair: int, x: float, y: float, jx: float, jy: float) -> None:
+    """Give the impulse (N s) at (x, y) to b and its opposite to a."""
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    bodies.vx[a] -= bodies.inverse_mass[a] * jx
+    bodies.vy[a] -= bodies.inverse_mass[a] * jy
+    turn = (x - bodies.here_x[a]) * jy - (y - bodies.here_y[a]) * jx
+    bodies.spin[a] -= bodies.inverse_inertia[a] * turn
+    bodies.vx[b] += bodies.inverse_mass[b] * jx
+    bodies.vy[b] += bodies.inverse_mass[b] * jy
+    turn = (x - bodies.here_x[b]) * jy - (y - bodies.here_y[b]) * jx
+    bodies.spin[b] += bodies.inverse_inertia[b] * turn
+
+
+def report(
+    t: Tables, pair: int, x: float, y: float, total: float, along: float, speed: float, time: float
+) -> None:
+    """Note, book and write to the table (whose first row counts them, see `tick`) an impact that
+    gave b impulses along the normal and along the surface, at (x, y) (N s).
+    """
+    nx = t.touch.normal_x[0]
+    ny = t.touch.normal_y[0]
+    jx = total * nx - along * ny
+    jy = total * ny + along * nx
+    note_impact(t, pair, x, y, jx, jy)
+    book_impact(t, pair, x, y, jx, jy)
+    impacts = t.impacts
+    row = impacts.written[0]
+    impacts.written[0] = row + 1
+    impacts.a[row] = t.pairs.a[pair]
+    impacts.b[row] = t.pairs.b[pair]
+    impacts.x[row] = x
+    impacts.y[row] = y
+    impacts.normal_x[row] = nx
+    impacts.normal_y[row] = ny
+    impacts.impulse_x[row] = jx
+    impacts.impulse_y[row] = jy
+    impacts.speed[row] = speed
+    impacts.restitution[row] = t.pairs.restitution[pair]
+    impacts.time[row] = time

@@ -1,0 +1,126 @@
+"""Impacts on bodies that joints hold: all that is joined to them answers at once.
+
+What a unit impulse changes, joints included, stands where the inverse masses of free bodies would.
+"""
+
+from engine.kernels.impulses import approach, give, report, response, slip, split
+from engine.kernels.rubbing import belt_speed
+from engine.linkage.answers import Changes, answer, prepare_answers, react
+from engine.tables import Tables
+
+YIELDS = 0.05
+"""Share of the speed of free bodies that joined ones change by at least, if they yield at all: the
+impulse that is lacking is found by division by it, and bodies that are jammed hardly move."""
+
+WEDGED = 0.8
+"""Where joints turn a larger share of a push along the surface into one across it, friction of an
+impact would make bodies meet again at once, without end: none acts."""
+
+
+def exchange_with_joints(
+    t: Tables, pair: int, one: int, other: int, bounce: float, now: float, time: float
+) -> None:
+    """Give both bodies their impulses, like `impacts.exchange`."""
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    prepare_answers(t, a, b, time)
+    x = t.touch.x[one]
+    y = t.touch.y[one]
+    speed = approach(t, pair, one)
+    nx = t.touch.normal_x[0]
+    ny = t.touch.normal_y[0]
+    free = response(t, pair, x, y, nx, ny)
+    yields = closing(t, pair, x, y, nx, ny, push(t, pair, x, y, nx, ny))
+    jammed = t.bodies.joined[a] == t.bodies.joined[b] or t.bodies.inverse_mass[a] == 0.0
+    if yields < YIELDS * free and (jammed or t.bodies.inverse_mass[b] == 0.0):
+        return  # they cannot approach: the joints will stop at the end of the part what does so
+    total = bounce * speed / yields
+    if other >= 0:
+        share, total = share_with_joints(t, pair, one, other, bounce, yields)
+        x += share * (t.touch.x[other] - x)
+        y += share * (t.touch.y[other] - y)
+        speed += share * (approach(t, pair, other) - speed)
+        yields = closing(t, pair, x, y, nx, ny, push(t, pair, x, y, nx, ny))
+        free = response(t, pair, x, y, nx, ny)
+    t.books.restitution_heat[0] += total * (speed - total * yields / 2.0)
+    t.books.joint_work[0] += total * total * (free - yields) / 2.0
+    give_with_joints(t, pair, x, y, total * nx, total * ny, time)
+    belt = belt_speed(t, pair, nx, ny)
+    sliding = slip(t, pair, x, y) + belt
+    pressing = yields
+    free = response(t, pair, x, y, -ny, nx)
+    by = push(t, pair, x, y, -ny, nx)
+    yields = closing(t, pair, x, y, -ny, nx, by)
+    along = 0.0
+    wedged = closing(t, pair, x, y, nx, ny, by)
+    if yields > YIELDS * free and abs(wedged) < WEDGED * pressing:
+        along = -sliding / yields
+    most = t.pairs.friction[pair] * total
+    if along > most:
+        along = most
+    elif along < -most:
+        along = -most
+    t.books.friction_heat[0] -= along * (sliding + along * yields / 2.0)
+    t.books.wall_work[0] -= along * belt
+    t.books.joint_work[0] += along * along * (free - yields) / 2.0
+    if along != 0.0:
+        give_with_joints(t, pair, x, y, -along * ny, along * nx, time)
+    report(t, pair, x, y, total, along, speed, now + time)
+
+
+def push(t: Tables, pair: int, x: float, y: float, jx: float, jy: float) -> Changes:
+    """Changes of velocity by an impulse (N s) at (x, y), given to b and its opposite to a, joints
+    included.
+    """
+    return answer(t, t.pairs.a[pair], t.pairs.b[pair], changes_by(t, pair, x, y, jx, jy))
+
+
+def changes_by(t: Tables, pair: int, x: float, y: float, jx: float, jy: float) -> Changes:
+    """The same if both were free."""
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    turn_a = (x - bodies.here_x[a]) * jy - (y - bodies.here_y[a]) * jx
+    turn_b = (x - bodies.here_x[b]) * jy - (y - bodies.here_y[b]) * jx
+    return (
+        -bodies.inverse_mass[a] * jx,
+        -bodies.inverse_mass[a] * jy,
+        -bodies.inverse_inertia[a] * turn_a,
+        bodies.inverse_mass[b] * jx,
+        bodies.inverse_mass[b] * jy,
+        bodies.inverse_inertia[b] * turn_b,
+    )
+
+
+def closing(
+    t: Tables, pair: int, x: float, y: float, along_x: float, along_y: float, by: Changes
+) -> float:
+    """By how much changes of velocity make b leave a along a unit vector, at (x, y) (m/s)."""
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    vx = by[3] - by[5] * (y - bodies.here_y[b]) - by[0] + by[2] * (y - bodies.here_y[a])
+    vy = by[4] + by[5] * (x - bodies.here_x[b]) - by[1] - by[2] * (x - bodies.here_x[a])
+    return vx * along_x + vy * along_y
+
+
+def give_with_joints(
+    t: Tables, pair: int, x: float, y: float, jx: float, jy: float, time: float
+) -> None:
+    """Give the impulse (N s) at (x, y) to b and its opposite to a; let the joints answer."""
+    give(t, pair, x, y, jx, jy)
+    react(t, t.pairs.a[pair], t.pairs.b[pair], time, changes_by(t, pair, x, y, jx, jy))
+
+
+def share_with_joints(
+    t: Tables, pair: int, one: int, other: int, bounce: float, k11: float
+) -> tuple[float, float]:
+    """Solve for both points at once, like `share_of_two`, joints included."""
+    x = t.touch.x[other]
+    y = t.touch.y[other]
+    nx = t.touch.normal_x[0]
+    ny = t.touch.normal_y[0]
+    by = push(t, pair, x, y, nx, ny)
+    k22 = closing(t, pair, x, y, nx, ny, by)
+    k12 = closing(t, pair, t.touch.x[one], t.touch.y[one], nx, ny, by)
+    return split(k11, k12, k22, bounce * approach(t, pair, one), bounce * approach(t, pair, other))
