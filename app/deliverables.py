@@ -10,7 +10,6 @@ from types import TracebackType
 from app.frames import Film, Pixels, Sink
 from app.json_text import document
 from app.outputs import OutputError, Promise, explained, kind_of, open_sink
-from app.outputs.background import DEPTH, Background
 from app.outputs.png import png_bytes
 from app.outputs.promise import check_place
 from app.player import Check
@@ -18,9 +17,6 @@ from app.report import Output, Report
 from app.watcher import Watcher
 
 REPORT = "json"
-WAITING = 64 * 2**20
-"""Bytes of pictures that may wait for one encoder: fewer large ones than small ones."""
-
 DATA = ("csv", REPORT)
 """Kinds that hold no pictures."""
 
@@ -38,7 +34,6 @@ class Deliverables:
         `pictures` are the paths of screenshots that will be taken.
         """
         self._film = film
-        self._depth = max(1, min(DEPTH, WAITING // (4 * film.width * film.height)))
         self._sinks: dict[str, Sink] = {}
         self._reports: dict[str, Promise] = {}
         self._pictures: dict[str, Promise] = {}
@@ -111,8 +106,7 @@ class Deliverables:
         if kind_of(path) == REPORT:
             self._reports[path] = Promise(path)
         else:
-            sink = open_sink(path, self._film)
-            self._sinks[path] = sink if kind_of(path) in DATA else Background(sink, self._depth)
+            self._sinks[path] = open_sink(path, self._film, remote=True)
 
     def _put_away(self) -> None:
         for sink in self._sinks.values():

@@ -2,12 +2,13 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import NamedTuple, Protocol
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from engine import Collision, World
+if TYPE_CHECKING:
+    from engine import Collision, World
 
 Pixels = NDArray[np.uint32]
 """Shape (height, width), each 0x00RRGGBB, C-contiguous; its bytes are B, G, R, 0."""
@@ -27,8 +28,8 @@ class Moment(NamedTuple):
 
     time: float
     """Simulated time of the world (s)."""
-    world: World
-    collisions: Sequence[Collision]
+    world: "World"
+    collisions: "Sequence[Collision]"
     """Those of the tick that ended now."""
 
 

@@ -7,7 +7,7 @@ from fractions import Fraction
 from app.camera import Camera
 from app.deliverables import Deliverables
 from app.frames import Film
-from app.outputs.background import brief_turns
+from app.outputs import prepare
 from app.overlay import Overlay
 from app.player import Player
 from app.report import Output, Report
@@ -40,6 +40,7 @@ def render(
     ScenarioFailed or NothingFilmed if the scenario cannot be carried out. Whatever is raised, no
     unfinished file is left, and what stood under a promised name stands there still.
     """
+    prepare(scenario.outputs)
     watcher = watcher or Watcher()
     width, height = scenario.size
     film = Film(width, height, scenario.fps, scenario.title, scenario.alt)
@@ -47,7 +48,7 @@ def render(
     report = Report(scenario)
     shots = [shot.path for shot in pictures(scenario.steps)]
     player = Player(scenario, lesson, watcher.checked)
-    with brief_turns(), Deliverables(scenario.outputs, shots, film) as deliverables:
+    with Deliverables(scenario.outputs, shots, film) as deliverables:
 
         def filmed(frames: int) -> None:
             report.frames = frames

@@ -9,10 +9,10 @@ import os
 import subprocess
 import sys
 from functools import cache
-from pathlib import Path
 
 from engine import jit
 from engine.modes import Kernels
+from engine.own_process import start
 
 UNKEPT = 3
 """Exit code: the code could not be kept."""
@@ -51,17 +51,7 @@ class Background:
         return code == 0
 
     def _start(self) -> None:
-        root = Path(__file__).parents[1]
-        path = [str(root), *(entry for entry in sys.path if os.path.isabs(entry))]
-        self._child = subprocess.Popen(
-            [sys.executable, "-W", "ignore", "-m", "engine.warming"],
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-            cwd=root,
-            env=os.environ | {"PYTHONPATH": os.pathsep.join(path)},
-            start_new_session=True,
-        )
+        self._child = start("engine.warming")
         atexit.register(self._leave)
 
     def _leave(self) -> None:

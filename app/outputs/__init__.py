@@ -6,12 +6,17 @@ Nothing heavy is imported before an output is opened, so that a scenario can be 
 import importlib
 import importlib.util
 import os
+from functools import partial
 from typing import TYPE_CHECKING
 
 from app.outputs.promise import OutputError, Promise, check_place, explained
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+    from pathlib import Path
+
     from app.frames import Film, Sink
+    from app.outputs.kept import Encoder
 
 __all__ = [
     "SUFFIXES",
@@ -21,6 +26,7 @@ __all__ = [
     "explained",
     "kind_of",
     "open_sink",
+    "prepare",
 ]
 
 SUFFIXES = {
@@ -49,6 +55,8 @@ _ENCODERS = {
     "png": ("app.outputs.png", "Frames"),
     "csv": ("app.outputs.tracks", "Tracks"),
 }
+
+_PICTURED = _ENCODERS.keys() - {"csv"}
 
 
 def kind_of(path: str | os.PathLike[str]) -> str | None:
@@ -81,17 +89,33 @@ def check_output(path: str | os.PathLike[str], size: tuple[int, int], fps: int) 
     check_place(path, folder=kind == "png")
 
 
-def open_sink(path: str | os.PathLike[str], film: "Film") -> "Sink":
+def prepare(paths: "Sequence[str]") -> None:
+    """Begin to load what will encode these outputs; it takes a moment, in its own processes."""
+    from app.outputs.remote import AVAILABLE, prepare_workers
+
+    kinds = [kind_of(path) for path in paths]
+    if AVAILABLE:
+        prepare_workers([_ENCODERS[kind][0] for kind in kinds if kind in _PICTURED])
+
+
+def open_sink(path: str | os.PathLike[str], film: "Film", *, remote: bool = False) -> "Sink":
     """Open an output of the kind its path asks for; its place is claimed before the first frame.
 
-    Raises OutputError. A report (.json) is no sink.
+    `remote`: pictures are encoded by a process of its own, where that can be. Raises OutputError.
+    A report (.json) is no sink.
     """
     check_output(path, (film.width, film.height), film.fps)
     kind = kind_of(path)
     if kind is None or kind not in _ENCODERS:
         raise OutputError(path, "a report is written after the film, not frame by frame")
     from app.outputs.kept import Kept
+    from app.outputs.remote import AVAILABLE, Remote
 
     module, name = _ENCODERS[kind]
-    encoder = getattr(importlib.import_module(module), name)
-    return Kept(os.fspath(path), film, encoder, folder=kind == "png", pictures=kind != "csv")
+    pictures = kind in _PICTURED
+    make: Callable[[Path, Film], Encoder]
+    if remote and pictures and AVAILABLE:  # who reads worlds must be where they are
+        make = partial(Remote, module, name)
+    else:
+        make = getattr(importlib.import_module(module), name)
+    return Kept(os.fspath(path), film, make, folder=kind == "png", pictures=pictures)

@@ -1,7 +1,7 @@
 """GIF: one palette, no dither, only what changed, and delays that add up to the true time."""
 
+import io
 import struct
-import tempfile
 from pathlib import Path
 
 import numpy as np
@@ -42,7 +42,6 @@ class Gif:
 
     def __init__(self, part: Path, film: Film) -> None:
         self._file = part.open("wb")
-        self._squeeze = Compressor(part.parent)
         self._fps = film.fps
         self._stride = -(-film.fps // FASTEST)
         self._palette = Palette(EXACT)
@@ -73,7 +72,7 @@ class Gif:
         self._seen = now
         time = self._time(frame.index)
         self._write_waiting(time)
-        self._waiting = (box, self._squeeze(indices), time)
+        self._waiting = (box, compressed(indices), time)
 
     def moment(self, moment: Moment) -> None:
         """Pictures have no use for it."""
@@ -84,14 +83,10 @@ class Gif:
         self._file.write(_END)
         self._file.seek(self._table_at)
         self._file.write(self._palette.colours())
-        self._close()
+        self._file.close()
 
     def abandon(self) -> None:
         """Close."""
-        self._close()
-
-    def _close(self) -> None:
-        self._squeeze.close()
         self._file.close()
 
     def _time(self, index: int) -> int:
@@ -104,7 +99,7 @@ class Gif:
         box, data, start = self._waiting
         lasts = max(until - start, 2)
         self._write(box, data, min(lasts, LONGEST))
-        nothing = self._squeeze(np.full((1, 1), TRANSPARENT, np.uint8))
+        nothing = compressed(np.full((1, 1), TRANSPARENT, np.uint8))
         while (lasts := lasts - LONGEST) > 0:
             self._write(Box(0, 0, 1, 1), nothing, max(min(lasts, LONGEST), 2))
 
@@ -114,40 +109,23 @@ class Gif:
         self._file.write(control + place + data)
 
 
-class Compressor:
-    """Compresses pictures by LZW, in the C code of Pillow.
+def compressed(indices: NDArray[np.uint8]) -> bytes:
+    """A picture of colour indices, compressed by Pillow (LZW): code size, blocks, terminator.
 
-    Pillow lets go of the interpreter's lock only while it writes to a real file, so it is given
-    one, without a name: otherwise no frame could be drawn meanwhile.
+    Pillow writes a file of its own around it, in which each part says how long it is.
     """
-
-    def __init__(self, folder: Path) -> None:
-        """`folder` is where a file can be written."""
-        self._file = tempfile.TemporaryFile(dir=folder)  # noqa: SIM115 - closed by `close`
-
-    def __call__(self, indices: NDArray[np.uint8]) -> bytes:
-        """The data of a picture of colour indices: code size, blocks, terminator.
-
-        Pillow writes a file of its own around it, in which each part says how long it is.
-        """
-        height, width = indices.shape
-        image = Image.frombuffer("P", (width, height), indices, "raw", "P", 0, 1)
-        image.putpalette(bytes(3 * SIZE))
-        self._file.seek(0)
-        self._file.truncate()
-        image.save(self._file, "GIF", optimize=False, interlace=False)
-        self._file.seek(0)
-        data = self._file.read()
-        at = 13 + 3 * 2 ** ((data[10] & 7) + 1)
-        while data[at] == 0x21:  # an extension: two bytes, then blocks up to an empty one
-            at += 2
-            while data[at]:
-                at += 1 + data[at]
-            at += 1
-        local = data[at + 9]
-        at += 10 + (3 * 2 ** ((local & 7) + 1) if local & 0x80 else 0)
-        return data[at : data.rindex(_END)]
-
-    def close(self) -> None:
-        """Let go of the file, of which nothing stays."""
-        self._file.close()
+    height, width = indices.shape
+    image = Image.frombuffer("P", (width, height), indices, "raw", "P", 0, 1)
+    image.putpalette(bytes(3 * SIZE))
+    file = io.BytesIO()
+    image.save(file, "GIF", optimize=False, interlace=False)
+    data = file.getvalue()
+    at = 13 + 3 * 2 ** ((data[10] & 7) + 1)
+    while data[at] == 0x21:  # an extension: two bytes, then blocks up to an empty one
+        at += 2
+        while data[at]:
+            at += 1 + data[at]
+        at += 1
+    local = data[at + 9]
+    at += 10 + (3 * 2 ** ((local & 7) + 1) if local & 0x80 else 0)
+    return data[at : data.rindex(_END)]

@@ -34,6 +34,10 @@ class OutputError(Exception):
         """As it was asked for."""
         self.sentence = sentence
 
+    def __reduce__(self) -> tuple[type["OutputError"], tuple[str, str]]:
+        """To be handed from one process to another."""
+        return OutputError, (self.path, self.sentence)
+
 
 @contextmanager
 def explained(path: str | os.PathLike[str]) -> Iterator[None]:

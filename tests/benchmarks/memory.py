@@ -18,30 +18,33 @@ KINDS = ("film.mp4", "film.webm", "film.gif", "film.apng", "film.webp", "frames/
 
 
 def film(target: str, seconds: float, size: tuple[int, int]) -> None:
-    """Make one film and print this process's peak (MB)."""
+    """Make one film and print the peaks of this process and of the one that encodes (MB)."""
     from balls import frames
 
     from app.frames import Film, Frame, Moment
     from app.outputs import open_sink
-    from app.outputs.background import Background
+    from app.outputs.remote import dismiss_workers
     from engine import Particle, World
 
     world = World()
     for number in range(12):
         world.add(Particle(0.1), position=(number, 0), velocity=(1, 2))
-    sink = Background(open_sink(target, Film(*size, FPS, "Benchmark")))
+    sink = open_sink(target, Film(*size, FPS, "Benchmark"), remote=True)
     sink.moment(Moment(world.time, world, []))
     for index, pixels in enumerate(frames(size, FPS, seconds)):
         sink.frame(Frame(index, pixels))
         for _ in range(60 // FPS):
             sink.moment(Moment(world.time, world, world.step()))
     sink.close()
-    print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)
+    dismiss_workers()
+    for whose in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN):
+        print(resource.getrusage(whose).ru_maxrss / 1024)
 
 
 def peak(target: str, seconds: float, size: tuple[int, int]) -> float:
     command = [sys.executable, __file__, "film", target, str(seconds), *map(str, size)]
-    return float(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
+    printed = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    return sum(map(float, printed.split()))
 
 
 def main() -> None:

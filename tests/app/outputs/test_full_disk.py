@@ -1,6 +1,6 @@
 """A disk that fills up in the middle of a film: one sentence, no remains, the old file stands.
 
-Each film is written in a process that may not write files over some size, which the system
+Each film is encoded by a process that may not write files over some size, which the system
 refuses as it refuses a full disk: within a frame, or only when the last bytes are flushed.
 """
 
@@ -12,16 +12,15 @@ from pathlib import Path
 import pytest
 
 CODE = """
-import resource, signal, sys
+import resource, sys
 import numpy as np
 from app.frames import Film, Frame
 from app.outputs import OutputError, open_sink
-from app.outputs.background import Background
 target, limit = sys.argv[1], int(sys.argv[2])
-signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
 dice = np.random.default_rng(1)
-sink = Background(open_sink(target, Film(160, 120, 30, "Noise")))
-resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+sink = open_sink(target, Film(160, 120, 30, "Noise"), remote=True)
+worker = sink._encoder._worker._process.pid
+resource.prlimit(worker, resource.RLIMIT_FSIZE, (limit, limit))
 try:
     try:
         for index in range(12):

@@ -1,0 +1,202 @@
+"""An encoder that works in a process of its own, so that drawing and encoding share no interpreter.
+
+Threads would: whenever one lets go of the interpreter's lock for a moment the other takes it, and
+the first must wait until it is woken again. A GIF took longer with a thread than without.
+"""
+
+import atexit
+import mmap
+import os
+import pickle
+import subprocess
+import tempfile
+from collections.abc import Sequence
+from contextlib import suppress
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.frames import Film, Frame, Moment
+from engine.own_process import start
+
+SLOTS = 3
+"""Pictures that may wait. More smooths nothing and costs memory: 3.7 MB each at 720x1280."""
+
+WAITING = 64 * 2**20
+"""Bytes of pictures that may wait for one encoder: fewer large ones than small ones."""
+
+AVAILABLE = os.name == "posix"
+"""Whether processes can share memory by its descriptor."""
+
+
+class Begin(NamedTuple):
+    """Make the encoder `name` of `module` for a film; memory holds `slots` pictures of it."""
+
+    module: str
+    name: str
+    part: Path
+    film: Film
+    slots: int
+
+
+class Picture(NamedTuple):
+    """Encode the picture in a slot; answered once the slot is free, so before it is encoded."""
+
+    number: int
+    slot: int
+
+
+class Finish(NamedTuple):
+    """Write the rest of the film and let go of its file."""
+
+
+Request = Begin | Picture | Finish
+
+
+def shared_pictures(memory: int, slots: int, film: Film) -> NDArray[np.uint32]:
+    """Shared memory as pictures of a film, shape (slots, height, width); it must be that large."""
+    mapped = mmap.mmap(memory, 4 * slots * film.height * film.width)
+    return np.frombuffer(mapped, np.uint32).reshape(slots, film.height, film.width)
+
+
+class Remote:
+    """An `Encoder` whose work is done by a worker (`worker.py`).
+
+    Each request is answered in turn. Of pictures no answer is awaited as long as there is a free
+    slot, so what fails comes out of a later call.
+    """
+
+    def __init__(self, module: str, name: str, part: Path, film: Film) -> None:
+        """Let a worker make the encoder `name` of `module`; raises what that raises."""
+        slots = max(1, min(SLOTS, WAITING // (4 * film.width * film.height)))
+        self._worker = _idle.pop() if _idle else WorkerProcess(module)
+        self._slots = self._worker.share(slots, film)
+        self._sent = 0
+        self._finished = False
+        try:
+            self._worker.send(Begin(module, name, part, film, slots))
+            self._worker.hear()
+        except BaseException:
+            self.abandon()
+            raise
+
+    def frame(self, frame: Frame) -> None:
+        """Hand on the next picture; wait for a free slot."""
+        if self._worker.owes == len(self._slots):
+            self._worker.hear()
+        slot = self._sent % len(self._slots)
+        self._slots[slot] = frame.pixels
+        self._worker.send(Picture(frame.index, slot))
+        self._sent += 1
+
+    def moment(self, moment: Moment) -> None:
+        """Pictures have no use for it."""
+
+    def finish(self) -> None:
+        """Let the worker finish; it may then be used for another film."""
+        self._worker.send(Finish())
+        while self._worker.owes:
+            self._worker.hear()
+        self._finished = True
+        _idle.append(self._worker)
+
+    def abandon(self) -> None:
+        """End the worker, whatever it is doing; one that has finished is free for others."""
+        if not self._finished:
+            self._worker.end()
+
+
+class WorkerProcess:
+    """A process that carries out requests, and the memory that is shared with it."""
+
+    def __init__(self, module: str) -> None:
+        """Start it, ready for the encoders of `module`; raises OSError."""
+        self._memory = _memory()
+        try:
+            self._process = start(
+                "app.outputs.worker",
+                str(self._memory),
+                module,
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=None,
+                pass_fds=(self._memory,),
+            )
+        except BaseException:
+            os.close(self._memory)
+            raise
+        self.owes = 0
+        """Answers that are still to come."""
+
+    def share(self, slots: int, film: Film) -> NDArray[np.uint32]:
+        """Shared memory for so many pictures of a film."""
+        os.ftruncate(self._memory, 4 * slots * film.height * film.width)
+        return shared_pictures(self._memory, slots, film)
+
+    def send(self, request: Request) -> None:
+        """Ask for something; raises OSError if the process has ended."""
+        assert self._process.stdin is not None
+        try:
+            pickle.dump(request, self._process.stdin)
+            self._process.stdin.flush()
+        except BrokenPipeError:
+            raise self._has_ended() from None
+        self.owes += 1
+
+    def hear(self) -> None:
+        """Wait for the next answer; raise what failed, or OSError if the process has ended."""
+        assert self._process.stdout is not None
+        try:
+            failure: Exception | None = pickle.load(self._process.stdout)
+        except EOFError:
+            raise self._has_ended() from None
+        self.owes -= 1
+        if failure is not None:
+            raise failure
+
+    def end(self) -> None:
+        """End it at once."""
+        self._process.kill()
+        self.leave()
+
+    def leave(self) -> None:
+        """Let it end, which it does when its input ends."""
+        with suppress(BrokenPipeError), self._process:  # closes its streams, and waits
+            pass
+        os.close(self._memory)
+
+    def _has_ended(self) -> OSError:
+        code = self._process.wait()
+        return OSError(f"the process that encodes it has ended ({code})")
+
+
+def _memory() -> int:
+    """Memory without a name, which vanishes with the last process that holds it."""
+    if hasattr(os, "memfd_create"):
+        return os.memfd_create("laws-pictures")
+    with tempfile.TemporaryFile() as file:
+        return os.dup(file.fileno())
+
+
+_idle: list[WorkerProcess] = []
+"""Workers without a film."""
+
+
+def prepare_workers(modules: Sequence[str]) -> None:
+    """Start workers for the encoders of these modules, which takes them a moment."""
+    with suppress(OSError):  # told to whoever asks for one
+        _idle.extend(WorkerProcess(module) for module in modules[len(_idle) :])
+
+
+@atexit.register
+def dismiss_workers() -> None:
+    """Let those end that have no film."""
+    while _idle:
+        _idle.pop().leave()
+
+
+# A forked process may not talk to the workers of the one it comes from.
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_idle.clear)
