@@ -14,7 +14,6 @@ import numpy as np
 
 from engine.force_laws import effort
 from engine.kernels.fields import GIVEN
-from engine.kernels.tick import act
 from engine.settings import RK4, VELOCITY_VERLET, Laws
 from engine.store import Store
 
@@ -61,6 +60,8 @@ def answers(store: Store, time: float) -> list[tuple[int, tuple[float, float, fl
 @contextmanager
 def foreseen(store: Store, laws: Laws, dt: float) -> Iterator[None]:
     """Put the bodies where forces alone would bring them in `dt` seconds; afterwards, back."""
+    from engine.kernels.tick import act  # see `store`
+
     bodies, count = store.tables.bodies, store.count("bodies")
     left = np.asarray(store.tables.pushes.left)
     column = {name: np.asarray(getattr(bodies, name))[:count] for name in bodies._fields}

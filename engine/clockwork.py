@@ -4,8 +4,7 @@ import importlib
 
 from engine import collision, modes
 from engine.collision import Collision, Diverged
-from engine.kernels.tick import FULL, LOOSE, LOST, UNMIXED, WAITING
-from engine.kernels.travel import DONE
+from engine.kernels.status import DONE, FULL, LOOSE, LOST, UNMIXED, WAITING
 from engine.modes import Kernels
 from engine.pair_rows import mix_by_rules
 from engine.settings import PLAIN_RULES, Laws, Rules

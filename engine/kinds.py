@@ -7,7 +7,6 @@ others and is pushed by nobody. A static body stays until it is put elsewhere; w
 from typing import TYPE_CHECKING, Any
 
 from engine.kernels.pose import put
-from engine.kernels.resting import settling_speed
 from engine.settings import TICK
 from engine.tables import FREE, RESTING
 from engine.vector import Vector
@@ -37,6 +36,8 @@ def set_off(store: "Store", row: int, velocity: Vector, spin: float, substeps: i
     t.progress.straight[0] = 0
     if bodies.inverse_mass[row] > 0.0:
         return
+    from engine.kernels.resting import settling_speed  # see `store`
+
     store.wake_all()
     substep = (t.state.dt[0] or TICK) / substeps
     for pair in range(store.count("pairs")):

@@ -9,7 +9,6 @@ from collections.abc import Callable
 from functools import partial
 from typing import NamedTuple
 
-from engine.kernels import tick
 from engine.settings import Laws
 from engine.tables import Tables
 
@@ -32,7 +31,9 @@ class Kernels(NamedTuple):
 
 
 def bind_interpreted(tables: Tables, laws: Laws) -> Run:
-    """Let Python run the kernels."""
+    """Let Python run the kernels, which are loaded when the first world moves."""
+    from engine.kernels import tick
+
     return partial(tick.run, tables, laws)
 
 

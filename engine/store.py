@@ -1,4 +1,8 @@
-"""Everything that varies in a world, in one place: its tables, and who holds which row."""
+"""Everything that varies in a world, in one place: its tables, and who holds which row.
+
+Large kernels are imported where they are called: it takes a moment, and a world that is only set
+up needs none of them.
+"""
 
 from bisect import bisect_left
 from typing import Any
@@ -12,10 +16,7 @@ from engine.enrol import corners_of, write_body
 from engine.filters import ignored_columns, ignored_keys, pair_keys
 from engine.force_laws import ActingLaw, field_columns, field_table
 from engine.joints import Joint
-from engine.kernels import sleeping
-from engine.kernels.pairing import link
 from engine.ledger import book_hand, totals
-from engine.linkage.order import put_in_order
 from engine.linkage.tally import BREAKING, BROKEN
 from engine.materials import number_or_none
 from engine.pair_rows import forget, resting_columns
@@ -225,6 +226,8 @@ class Store:
     def order_joints(self) -> None:
         """Put the joints in order, if they changed."""
         if self.tables.state.loose[0]:
+            from engine.linkage.order import put_in_order
+
             broken = self.tables.joints.broken
             for row, joint in enumerate(self.joints):
                 if broken[row] == BREAKING:
@@ -249,7 +252,10 @@ class Store:
 
     def wake(self, row: int) -> None:
         """Wake a body with those that it rests on, and that rest on it."""
-        sleeping.wake(self.tables, row)
+        if self.tables.bodies.asleep[row]:
+            from engine.kernels.sleeping import wake
+
+            wake(self.tables, row)
 
     def wake_all(self) -> None:
         """Wake all bodies."""
@@ -359,6 +365,8 @@ class Store:
 
     def restore(self, snapshot: Snapshot) -> None:
         """Go back to what a snapshot holds."""
+        from engine.kernels.pairing import link
+
         self.before = None
         self.make_room("grid", 4 * len(snapshot.tables["pieces"][0]))
         self.make_room_for_pairs(len(snapshot.tables["pairs"][0]))

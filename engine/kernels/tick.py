@@ -9,25 +9,21 @@ from engine.kernels.books import book_forces, is_forced
 from engine.kernels.broadphase import look_ahead
 from engine.kernels.pairing import find_pairs
 from engine.kernels.sleeping import fall_asleep, wake_in_time
-from engine.kernels.travel import (
+from engine.kernels.status import (
     CROWDED,
     DONE,
     ESCAPED,
-    begin,
-    end,
-    runaway,
-    runaways,
-    travel,
+    FULL,
+    LOOSE,
+    LOST,
+    MOVING,
+    PAIRING,
+    UNMIXED,
+    WAITING,
 )
+from engine.kernels.travel import begin, end, runaway, runaways, travel
 from engine.settings import Laws
 from engine.tables import Tables, copy_row
-
-WAITING, PAIRING, MOVING = 0, 1, 2
-"""Phases: between two ticks; pairs are to be found; bodies move."""
-
-FULL, UNMIXED, LOST, LOOSE = 10, 11, 12, 13
-"""Why `run` returns, besides `DONE` and `CROWDED`: there are more pairs than room; coefficients of
-pairs are asked for; a body left the range of numbers; joints are to be put in order."""
 
 SOUND = -1
 """No body has run away."""

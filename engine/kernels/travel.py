@@ -30,6 +30,7 @@ from engine.kernels.resting import (
     settle,
 )
 from engine.kernels.sensing import sense_at_end, sense_passing
+from engine.kernels.status import CROWDED, DONE, ESCAPED
 from engine.kernels.steady import (
     BALANCED,
     MOVING,
@@ -51,9 +52,6 @@ from engine.linkage.tally import (
     mean_forces,
 )
 from engine.tables import FREE, IMPACTS_AT_ONCE, NEVER, RESTING, Bodies, Tables
-
-DONE, CROWDED, ESCAPED = 0, 1, 2
-"""Why `travel` returns: the tick is over; the table of impacts is full; a body left its box."""
 
 MOST = 1e100
 """Numbers beyond this (SI units) are those of a world that diverged."""

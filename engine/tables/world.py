@@ -114,7 +114,7 @@ class Progress(NamedTuple):
     """One row: how far the kernels are within a tick, and why they paused."""
 
     phase: Ints
-    """`tick.WAITING` between two ticks, `tick.PAIRING` or `tick.MOVING`."""
+    """One of the phases in `kernels.status`."""
     begun: Ints
     """1 once bodies have begun to move in this tick."""
     now: Floats
