@@ -2,6 +2,9 @@
 
 It is a binary heap (Williams, 1964) by the time of meeting in the column `Pairs.queue`;
 `Pairs.queued` says where a pair stands in it, so that one whose time has changed finds its place.
+
+What meets at once is given one time, that of the first (`Progress.together`), and stands in order
+of speed: thousands of impacts at one instant are not looked through for each of them.
 """
 
 from engine.tables import NEVER, Tables
@@ -16,6 +19,9 @@ def enqueue(t: Tables, pair: int, queued: int) -> int:
     place = pairs.queued[pair] - 1
     if pairs.meeting[pair] == NEVER:
         return queued if place < 0 else dequeue(t, place, queued)
+    together = t.progress.together[0]
+    if together < pairs.meeting[pair] <= together + TOGETHER:
+        pairs.meeting[pair] = together
     if place < 0:
         place = queued
         queued += 1
@@ -38,15 +44,24 @@ def dequeue(t: Tables, place: int, queued: int) -> int:
     return queued
 
 
+def is_next(t: Tables, pair: int, other: int) -> bool:
+    """Whether a pair comes before another: the earlier, then the faster, then the first listed."""
+    pairs = t.pairs
+    sooner = pairs.meeting[other] - pairs.meeting[pair]
+    if sooner != 0.0:
+        return sooner > 0.0
+    faster = pairs.speed[pair] - pairs.speed[other]
+    return faster > 0.0 or (faster == 0.0 and pair < other)
+
+
 def rise(t: Tables, place: int) -> int:
-    """Move the pair at a place up as far as it meets earlier than others; return its place."""
+    """Move the pair at a place up as far as it comes before others; return its place."""
     pairs = t.pairs
     pair = pairs.queue[place]
-    time = pairs.meeting[pair]
     while place > 0:
         above = (place - 1) // 2
         other = pairs.queue[above]
-        if pairs.meeting[other] <= time:
+        if not is_next(t, pair, other):
             break
         pairs.queue[place] = other
         pairs.queued[other] = place + 1
@@ -57,18 +72,15 @@ def rise(t: Tables, place: int) -> int:
 
 
 def sink(t: Tables, place: int, queued: int) -> None:
-    """Move the pair at a place down as far as it meets later than others."""
+    """Move the pair at a place down as far as it comes after others."""
     pairs = t.pairs
     pair = pairs.queue[place]
-    time = pairs.meeting[pair]
     below = 2 * place + 1
     while below < queued:
-        if below + 1 < queued:
-            left = pairs.meeting[pairs.queue[below]]
-            if pairs.meeting[pairs.queue[below + 1]] < left:
-                below += 1
+        if below + 1 < queued and is_next(t, pairs.queue[below + 1], pairs.queue[below]):
+            below += 1
         other = pairs.queue[below]
-        if pairs.meeting[other] >= time:
+        if is_next(t, pair, other):
             break
         pairs.queue[place] = other
         pairs.queued[other] = place + 1
@@ -79,27 +91,34 @@ def sink(t: Tables, place: int, queued: int) -> None:
 
 
 def next_to_meet(t: Tables, queued: int) -> int:
-    """Place of the pair that meets first; of those at once, the fastest, then the first listed.
+    """The pair that meets first, at the top; of those at once, the fastest, then the first listed.
 
-    Goes from the top down to whatever is not later, from left to right.
+    It has the time of the first of these.
+    """
+    first = t.pairs.meeting[t.pairs.queue[0]]
+    if t.progress.together[0] != first:
+        t.progress.together[0] = first
+        bring_together(t, first, queued)
+    return t.pairs.queue[0]
+
+
+def bring_together(t: Tables, first: float, queued: int) -> None:
+    """Give all that meet at once the time of the `first` of them (s).
+
+    Goes from the top down to whatever is not later, from left to right; what is above is in order.
     """
     pairs = t.pairs
-    best = pairs.queue[0]
-    until = pairs.meeting[best] + TOGETHER
     place = 1
     while place > 0:
-        if place < queued and pairs.meeting[pairs.queue[place]] <= until:
-            pair = pairs.queue[place]
-            faster = pairs.speed[pair] - pairs.speed[best]
-            if faster > 0.0 or (faster == 0.0 and pair < best):
-                best = pair
+        if place < queued and pairs.meeting[pairs.queue[place]] <= first + TOGETHER:
+            pairs.meeting[pairs.queue[place]] = first
+            rise(t, place)
             place = 2 * place + 1
         else:
             while place > 0 and place % 2 == 0:  # from the right one of two to what is above
                 place = (place - 1) // 2
             if place > 0:
                 place += 1
-    return pairs.queued[best] - 1
 
 
 def empty(t: Tables, queued: int) -> None:
@@ -109,3 +128,4 @@ def empty(t: Tables, queued: int) -> None:
         pair = pairs.queue[place]
         pairs.queued[pair] = 0
         pairs.meeting[pair] = NEVER
+    t.progress.together[0] = 0.0

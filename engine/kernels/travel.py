@@ -229,15 +229,14 @@ def meet_in_order(
     cut = False
     ending = DONE
     while queued > 0:
-        place = next_to_meet(t, queued)
-        pair = pairs.queue[place]
+        pair = next_to_meet(t, queued)
         time = pairs.meeting[pair]
         if cut and time > reached + TOGETHER:
             return ending, reached, queued
         reached = time
         if written[0] >= IMPACTS_AT_ONCE:
             return CROWDED, time, queued
-        queued = dequeue(t, place, queued)
+        queued = dequeue(t, 0, queued)
         pairs.meeting[pair] = NEVER
         a = pairs.a[pair]
         b = pairs.b[pair]

@@ -130,6 +130,8 @@ class Progress(NamedTuple):
     straight: Ints
     """1 while nothing but impacts changes the velocity of any body: no accelerations, no bent
     paths, nothing rests; `Pairs.clear` then holds."""
+    together: Floats
+    """When what meets next meets (s), for all pairs that do so at once; see `agenda`."""
     sensing: Ints
     """Number of pairs with a sensor."""
     own_rules: Ints

@@ -30,10 +30,12 @@ def test_the_next_to_meet_is_the_earliest_then_the_fastest_then_the_first(
         waiting = waiting | {pair} if time < NEVER else waiting - {pair}
         assert queued == len(waiting)
         if waiting:
-            place = next_to_meet(t, queued)
-            assert t.pairs.queue[place] == should_be_next(t, waiting)
+            first = should_be_next(t, waiting)
+            earliest = min(t.pairs.meeting[each] for each in waiting)
+            assert next_to_meet(t, queued) == t.pairs.queue[0] == first
+            assert t.pairs.meeting[first] == earliest
             if i % 3 == 0:
-                waiting.remove(t.pairs.queue[place])
-                queued = dequeue(t, place, queued)
+                waiting.remove(first)
+                queued = dequeue(t, 0, queued)
     empty(t, queued)
     assert not any(t.pairs.queued[:ROOM])
