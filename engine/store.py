@@ -172,7 +172,7 @@ class Store:
         """Let all tables have room for so many pairs at least."""
         progress = self.tables.progress
         if pairs > progress.room[0]:
-            progress.room[0] = pairs + pairs // 2
+            progress.room[0] = max(pairs + pairs // 2, self.count("pieces"))
             for name in ("pairs", "found", "parted"):
                 self.make_room(name, progress.room[0])
             for name in ("contacts", "links"):

@@ -5,7 +5,8 @@ compared with all. A piece belongs to the square in which its box has its centre
 which overlap belong to the same or to neighbouring squares. Squares are kept by a hash of their
 column and row (as in Teschner and others, "Optimized Spatial Hashing", 2003): the world has no
 borders. Boxes are sorted by squares (by counting), so that those of a square, and of one above the
-other, stand side by side in memory.
+other, stand side by side in memory: in a large world, what a look from piece to piece costs is the
+way to their rows. So a flag that says that nothing but its box matters stands beside each box.
 """
 
 import math
@@ -30,6 +31,9 @@ SCATTER = 0.382
 """Numbers from one column to the next in a world that is too high for its squares, as a share of
 their number: the golden section spreads columns evenly."""
 
+PLAIN = 1
+"""Category of bodies that were given no other."""
+
 FARTHEST = 1e12
 """Columns and rows end there (squares): what is beyond belongs to the last ones."""
 
@@ -45,17 +49,6 @@ def find_neighbours(t: Tables, pieces: int, room: int) -> int:
     if found <= room:
         sort(t, pieces, found)
     return found
-
-
-def overlap(t: Tables, a: int, b: int) -> bool:
-    """Whether the boxes of two pieces overlap."""
-    pieces = t.pieces
-    return (
-        pieces.low_x[a] <= pieces.high_x[b]
-        and pieces.low_x[b] <= pieces.high_x[a]
-        and pieces.low_y[a] <= pieces.high_y[b]
-        and pieces.low_y[b] <= pieces.high_y[a]
-    )
 
 
 def may_touch(t: Tables, a: int, b: int) -> bool:
@@ -127,6 +120,22 @@ def note(found: Found, a: int, b: int, number: int, room: int) -> int:
     return number + 1
 
 
+def is_plain(t: Tables, piece: int) -> bool:
+    """Whether a piece has to be watched with every other plain one that its box overlaps: the whole
+    of a body that can be moved, with no filter of its own, where no two bodies ignore each other.
+    """
+    bodies = t.bodies
+    body = t.pieces.body[piece]
+    return (
+        bodies.pieces[body] == 1
+        and bodies.inverse_mass[body] != 0.0
+        and bodies.category[body] == PLAIN
+        and bodies.mask[body] & PLAIN != 0
+        and bodies.group[body] == 0
+        and t.counts.ignored[0] == 0
+    )
+
+
 def search_grid(t: Tables, pieces: int, room: int) -> int:
     """Find pairs in a grid, in no order."""
     grid = t.grid
@@ -135,54 +144,51 @@ def search_grid(t: Tables, pieces: int, room: int) -> int:
     squares = 64
     while squares < 2 * pieces:
         squares *= 2
-    large = find_squares(t, pieces, side)
+    placed = pieces - find_squares(t, pieces, side)
     stride = number_squares(t, pieces, squares)
-    placed = sort_by_squares(t, pieces, squares)
+    sort_by_squares(t, pieces, squares)
     found = 0
     for k in range(placed):
-        a = grid.order[k]
-        square = grid.square[a]  # its own, then half of those around, as the others look at it
+        square = grid.square[grid.order[k]]  # then half of those around, as the others look at it
         if square + 1 < squares:
-            found = look_into(t, a, k + 1, start[square + 2], found, room)
+            found = look_into(t, k, k + 1, start[square + 2], found, room)
         else:
-            found = look_into(t, a, k + 1, start[squares], found, room)
-            found = look_into(t, a, 0, start[1], found, room)
+            found = look_into(t, k, k + 1, start[squares], found, room)
+            found = look_into(t, k, 0, start[1], found, room)
         beside = (square + stride - 1) & (squares - 1)
         if beside + 2 < squares:
-            found = look_into(t, a, start[beside], start[beside + 3], found, room)
+            found = look_into(t, k, start[beside], start[beside + 3], found, room)
         else:
-            found = look_into(t, a, start[beside], start[squares], found, room)
-            found = look_into(t, a, 0, start[beside + 3 - squares], found, room)
-    for k in range(large):
-        a = grid.large[k]
-        found = look_into(t, a, 0, placed, found, room)
-        for j in range(k + 1, large):
-            b = grid.large[j]
-            if overlap(t, a, b) and may_touch(t, a, b):
-                found = note(t.found, a, b, found, room)
+            found = look_into(t, k, start[beside], start[squares], found, room)
+            found = look_into(t, k, 0, start[beside + 3 - squares], found, room)
+    for k in range(placed, pieces):
+        found = look_into(t, k, 0, k, found, room)
     return found
 
 
-def look_into(t: Tables, a: int, first: int, end: int, found: int, room: int) -> int:
-    """Pair a piece with those from place `first` to `end` of the grid; return how many there are
-    then.
+def look_into(t: Tables, place: int, first: int, end: int, found: int, room: int) -> int:
+    """Pair the piece at a place of the grid with those from place `first` to `end`; return how many
+    pairs there are then.
     """
-    low_x = t.grid.low_x
-    low_y = t.grid.low_y
-    high_x = t.grid.high_x
-    high_y = t.grid.high_y
-    left = t.pieces.low_x[a]
-    right = t.pieces.high_x[a]
-    bottom = t.pieces.low_y[a]
-    top = t.pieces.high_y[a]
+    grid = t.grid
+    low_x = grid.low_x
+    low_y = grid.low_y
+    high_x = grid.high_x
+    high_y = grid.high_y
+    left = low_x[place]
+    right = high_x[place]
+    bottom = low_y[place]
+    top = high_y[place]
     for k in range(first, end):
         if low_x[k] <= right and left <= high_x[k] and low_y[k] <= top and bottom <= high_y[k]:
-            b = t.grid.order[k]
-            if a < b:
-                if may_touch(t, a, b):
-                    found = note(t.found, a, b, found, room)
-            elif may_touch(t, b, a):
-                found = note(t.found, b, a, found, room)
+            a = grid.order[place]
+            b = grid.order[k]
+            if b < a:
+                other = a
+                a = b
+                b = other
+            if grid.plain[place] + grid.plain[k] == 2 or may_touch(t, a, b):
+                found = note(t.found, a, b, found, room)
     return found
 
 
@@ -196,7 +202,6 @@ def find_squares(t: Tables, pieces: int, side: float) -> int:
     large = 0
     for piece in range(pieces):
         if grid.extent[piece] > side:
-            grid.large[large] = piece
             grid.square[piece] = LARGER
             large += 1
         else:
@@ -231,30 +236,38 @@ def number_squares(t: Tables, pieces: int, squares: int) -> int:
     return stride
 
 
-def sort_by_squares(t: Tables, pieces: int, squares: int) -> int:
-    """Sort the boxes by squares, by counting; return how many there are without the large ones."""
+def sort_by_squares(t: Tables, pieces: int, squares: int) -> None:
+    """Sort the boxes by squares, by counting; those that are larger come last."""
     grid = t.grid
     start = grid.start
     for square in range(squares + 1):
         start[square] = 0
-    placed = 0
+    larger = pieces
     for piece in range(pieces):
         if grid.square[piece] != LARGER:
             start[grid.square[piece]] += 1
-            placed += 1
+        else:
+            larger -= 1
+            put_at(t, piece, larger)
     for square in range(squares):  # for now, `start` says where a square ends
         start[square + 1] += start[square]
     for piece in range(pieces - 1, -1, -1):
         square = grid.square[piece]
         if square != LARGER:
-            k = start[square] - 1
-            start[square] = k
-            grid.order[k] = piece
-            grid.low_x[k] = t.pieces.low_x[piece]
-            grid.low_y[k] = t.pieces.low_y[piece]
-            grid.high_x[k] = t.pieces.high_x[piece]
-            grid.high_y[k] = t.pieces.high_y[piece]
-    return placed
+            start[square] -= 1
+            put_at(t, piece, start[square])
+
+
+def put_at(t: Tables, piece: int, place: int) -> None:
+    """Write a piece to a place of the grid."""
+    grid = t.grid
+    boxes = t.pieces
+    grid.order[place] = piece
+    grid.low_x[place] = boxes.low_x[piece]
+    grid.low_y[place] = boxes.low_y[piece]
+    grid.high_x[place] = boxes.high_x[piece]
+    grid.high_y[place] = boxes.high_y[piece]
+    grid.plain[place] = is_plain(t, piece)
 
 
 def square_of(at: float, side: float) -> int:

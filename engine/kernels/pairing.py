@@ -5,8 +5,12 @@ import math
 from engine.kernels.broadphase import fit_boxes
 from engine.kernels.neighbours import find_neighbours
 from engine.kernels.rubbing import mix
-from engine.kernels.touches import part_with
+from engine.kernels.touches import number_of_tick, part_with
 from engine.tables import FREE, NEVER, SENSING, Tables, clear_row, copy_row
+
+REMEMBERED = 8
+"""A free pair that touched more than so many ticks ago is as good as one that never did: longer
+than any two impacts are taken for one (`impacts.AGAIN`)."""
 
 
 def find_pairs(t: Tables, dt: float) -> bool:
@@ -25,16 +29,15 @@ def find_pairs(t: Tables, dt: float) -> bool:
     t.counts.contacts[0] = 2 * found
     t.state.stale[0] = 0
     link(t, count, found)
-    mix(t, found)
     return True
 
 
 def rearrange(t: Tables, before: int, found: int) -> None:
     """Bring the rows of `Pairs` and `Contacts` into the order of `Found`, both being sorted.
 
-    Pairs that are no longer found are dropped, new ones begin with nothing. As order is kept, rows
-    that move up are out of each other's way if the last moves first, rows that move down if the
-    first does.
+    Pairs that are no longer found are dropped, new ones begin with nothing, and so do those of
+    which nothing is worth to be kept. As order is kept, rows that move up are out of each other's
+    way if the last moves first, rows that move down if the first does.
     """
     pairs = t.pairs
     known = t.found.known
@@ -47,7 +50,8 @@ def rearrange(t: Tables, before: int, found: int) -> None:
             old += 1
         known[k] = -1
         if old < before and pairs.piece_a[old] == a and pairs.piece_b[old] == b:
-            known[k] = old
+            if not is_forgotten(t, old):
+                known[k] = old
             old += 1
     for lost in range(old, before):
         part_with(t, lost)
@@ -63,6 +67,7 @@ def rearrange(t: Tables, before: int, found: int) -> None:
             begin(t, k)
         elif moved_by_hand:
             pairs.apart[k] = 0.0
+            mix(t, k)
         pairs.queued[k] = 0
 
 
@@ -80,6 +85,11 @@ def move(t: Tables, source: int, target: int) -> None:
         pairs.piece_a[target] = pairs.piece_a[source]
         pairs.piece_b[target] = pairs.piece_b[source]
         pairs.size[target] = pairs.size[source]
+        pairs.restitution[target] = pairs.restitution[source]
+        pairs.friction[target] = pairs.friction[source]
+        pairs.static_friction[target] = pairs.static_friction[source]
+        pairs.rolling_resistance[target] = pairs.rolling_resistance[source]
+        pairs.belt_speed[target] = pairs.belt_speed[source]
         pairs.apart[target] = pairs.apart[source]
         pairs.clear[target] = pairs.clear[source]
         pairs.struck[target] = pairs.struck[source]
@@ -96,6 +106,12 @@ def is_fresh(t: Tables, pair: int) -> bool:
     zero there. Most are such, and rows are long.
     """
     return t.pairs.touched[pair] == 0 and t.pairs.state[pair] == FREE
+
+
+def is_forgotten(t: Tables, pair: int) -> bool:
+    """Whether the two fly, and touched so long ago that nobody asks when."""
+    touched = t.pairs.touched[pair]
+    return t.pairs.state[pair] == FREE and 0 < touched < number_of_tick(t) - REMEMBERED
 
 
 def begin(t: Tables, pair: int) -> None:
@@ -118,6 +134,7 @@ def begin(t: Tables, pair: int) -> None:
     size_a = size(t, piece_a)
     size_b = size(t, piece_b)
     pairs.size[pair] = size_a if size_a < size_b else size_b
+    mix(t, pair)
 
 
 def size(t: Tables, piece: int) -> float:

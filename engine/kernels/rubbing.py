@@ -13,29 +13,28 @@ from engine.settings import AS_FRICTION
 from engine.tables import Tables
 
 
-def mix(t: Tables, pair_count: int) -> None:
-    """Give each pair its coefficients.
+def mix(t: Tables, pair: int) -> None:
+    """Give a pair its coefficients.
 
     The larger restitution, the geometric mean of frictions, the larger rolling resistance. Rules of
     the world's own, which are Python, are asked afterwards.
     """
     bodies = t.bodies
     pairs = t.pairs
-    for pair in range(pair_count):
-        a = pairs.a[pair]
-        b = pairs.b[pair]
-        one = bodies.restitution[a]
-        other = bodies.restitution[b]
-        pairs.restitution[pair] = one if one > other else other
-        pairs.friction[pair] = math.sqrt(bodies.friction[a] * bodies.friction[b])
-        grip = pairs.friction[pair]
-        if bodies.static_friction[a] != AS_FRICTION or bodies.static_friction[b] != AS_FRICTION:
-            grip = math.sqrt(static_friction(t, a) * static_friction(t, b))
-        pairs.static_friction[pair] = grip
-        one = bodies.rolling_resistance[a]
-        other = bodies.rolling_resistance[b]
-        pairs.rolling_resistance[pair] = one if one > other else other
-        finish_mixing(t, pair)
+    a = pairs.a[pair]
+    b = pairs.b[pair]
+    one = bodies.restitution[a]
+    other = bodies.restitution[b]
+    pairs.restitution[pair] = one if one > other else other
+    pairs.friction[pair] = math.sqrt(bodies.friction[a] * bodies.friction[b])
+    grip = pairs.friction[pair]
+    if bodies.static_friction[a] != AS_FRICTION or bodies.static_friction[b] != AS_FRICTION:
+        grip = math.sqrt(static_friction(t, a) * static_friction(t, b))
+    pairs.static_friction[pair] = grip
+    one = bodies.rolling_resistance[a]
+    other = bodies.rolling_resistance[b]
+    pairs.rolling_resistance[pair] = one if one > other else other
+    finish_mixing(t, pair)
 
 
 def static_friction(t: Tables, row: int) -> float:

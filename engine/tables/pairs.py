@@ -219,6 +219,8 @@ class Grid(NamedTuple):
     low_y: Floats
     high_x: Floats
     high_y: Floats
+    plain: Ints
+    """1 if it may touch any other for which this is 1; see `neighbours.is_plain`."""
     square: Ints
     """By pieces: number of the square in which its box has its centre, or `neighbours.LARGER`."""
     column: Ints
@@ -226,5 +228,3 @@ class Grid(NamedTuple):
     row: Ints
     extent: Floats
     """By pieces: width or height of the box, whichever is more (m)."""
-    large: Ints
-    """Pieces that are larger than a square (a list of its own, not by row)."""
