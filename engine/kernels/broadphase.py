@@ -15,6 +15,10 @@ SLACK = 0.2
 TICKS_AHEAD = 3.0
 """Margin as a share of the way of one tick."""
 
+FLIGHT = 2.0
+"""Both are so many times as large where nothing acts on any body: pairs then cost least, as most of
+them are not even looked at (see `meeting.foresee_meetings`)."""
+
 OTHERS_AHEAD = 10.0
 """Margin as a share of the mean way of all bodies: a slow one may be hit by a fast one."""
 
@@ -76,15 +80,16 @@ def fit_boxes(t: Tables, count: int, dt: float) -> None:
     """Draw boxes with a margin around the ways of every body and piece in `dt` seconds."""
     bodies = t.bodies
     ahead = OTHERS_AHEAD * mean_way(bodies, count, dt)
+    more = FLIGHT if all_fly_straight(bodies, count) else 1.0
     for row in range(count):
         if bodies.moves[row] == 1:
             reach = bodies.reach[row]
             way_x, way_y = farthest(t, row, dt)
             shared = ahead if ahead < MOST_AHEAD * reach else MOST_AHEAD * reach
-            own = TICKS_AHEAD * (way_x - reach)
-            way_x += SLACK * reach + (own if own > shared else shared)
-            own = TICKS_AHEAD * (way_y - reach)
-            way_y += SLACK * reach + (own if own > shared else shared)
+            own = more * TICKS_AHEAD * (way_x - reach)
+            way_x += more * SLACK * reach + (own if own > shared else shared)
+            own = more * TICKS_AHEAD * (way_y - reach)
+            way_y += more * SLACK * reach + (own if own > shared else shared)
             bodies.low_x[row] = bodies.x[row] - way_x
             bodies.high_x[row] = bodies.x[row] + way_x
             bodies.low_y[row] = bodies.y[row] - way_y
@@ -98,6 +103,14 @@ def fit_boxes(t: Tables, count: int, dt: float) -> None:
                 bodies.first_piece[row], bodies.first_piece[row] + bodies.pieces[row]
             ):
                 fit_still(t, piece)
+
+
+def all_fly_straight(bodies: Bodies, count: int) -> bool:
+    """Whether no body is accelerated or held."""
+    acting = 0
+    for row in range(count):
+        acting += (bodies.held[row] > 0) | (bodies.ax[row] != 0.0) | (bodies.ay[row] != 0.0)
+    return acting == 0
 
 
 def mean_way(bodies: Bodies, count: int, dt: float) -> float:
