@@ -7,7 +7,7 @@ more pass of the kernels that let forces act.
 """
 
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from typing import Any
 
 import numpy as np
@@ -17,7 +17,17 @@ from engine.kernels.fields import GIVEN
 from engine.settings import RK4, VELOCITY_VERLET, Laws
 from engine.store import Store
 
-MOVED = ("x", "y", "angle", "vx", "vy", "spin")
+Columns = dict[str, Any]
+"""Arrays by the names of columns."""
+
+ACTED_ON = (
+    "x", "y", "angle", "vx", "vy", "spin", "ax", "ay", "aspin", "lead_x", "lead_y", "lead_spin",
+    "force_x", "force_y", "torque", "field_x", "field_y",
+)  # fmt: skip
+"""Columns of `Bodies` that a look ahead changes."""
+
+ANSWERS = ("x", "y", "torque", "later_x", "later_y", "later_torque")
+"""Columns of `Fields` that functions fill."""
 
 
 def ask_functions(store: Store, laws: Laws, dt: float) -> None:
@@ -27,7 +37,7 @@ def ask_functions(store: Store, laws: Laws, dt: float) -> None:
 
 
 def ask(store: Store, laws: Laws, dt: float) -> None:
-    """Write to `Fields` what the functions give for a tick.
+    """Write to `Fields` what the functions give for a tick; if one fails, nothing has changed.
 
     Args:
         store: of the world.
@@ -35,14 +45,29 @@ def ask(store: Store, laws: Laws, dt: float) -> None:
         dt: length of the tick (s).
     """
     fields = store.tables.fields
-    for i, (x, y, torque) in answers(store, store.time):
-        fields.x[i], fields.y[i], fields.torque[i] = x, y, torque
-        fields.later_x[i], fields.later_y[i], fields.later_torque[i] = x, y, torque
-    if laws.integrator in (VELOCITY_VERLET, RK4):
-        with foreseen(store, laws, dt):
-            at_the_end = answers(store, store.time + dt)
-        for i, given in at_the_end:
-            fields.later_x[i], fields.later_y[i], fields.later_torque[i] = given
+    with ExitStack() as undo:
+        undo.callback(put_back, *copied(fields, ANSWERS, fields.used[0]))
+        for i, (x, y, torque) in answers(store, store.time):
+            fields.x[i], fields.y[i], fields.torque[i] = x, y, torque
+            fields.later_x[i], fields.later_y[i], fields.later_torque[i] = x, y, torque
+        if laws.integrator in (VELOCITY_VERLET, RK4):
+            with foreseen(store, laws, dt):
+                at_the_end = answers(store, store.time + dt)
+            for i, given in at_the_end:
+                fields.later_x[i], fields.later_y[i], fields.later_torque[i] = given
+        undo.pop_all()
+
+
+def copied(table: Any, names: tuple[str, ...], rows: int) -> tuple[Columns, Columns]:
+    """Columns of a table as arrays, and copies of them."""
+    columns = {name: np.asarray(getattr(table, name))[:rows] for name in names}
+    return columns, {name: column.copy() for name, column in columns.items()}
+
+
+def put_back(columns: Columns, before: Columns) -> None:
+    """Let columns hold again what they held before."""
+    for name, column in columns.items():
+        column[:] = before[name]
 
 
 def answers(store: Store, time: float) -> list[tuple[int, tuple[float, float, float]]]:
@@ -62,22 +87,19 @@ def foreseen(store: Store, laws: Laws, dt: float) -> Iterator[None]:
     """Put the bodies where forces alone would bring them in `dt` seconds; afterwards, back."""
     from engine.kernels.tick import act  # see `store`
 
-    bodies, count = store.tables.bodies, store.count("bodies")
-    left = np.asarray(store.tables.pushes.left)
-    column = {name: np.asarray(getattr(bodies, name))[:count] for name in bodies._fields}
-    before = {name: column[name].copy() for name in MOVED}
-    time_left = left.copy()
+    tables = store.tables
+    bodies, bodies_before = copied(tables.bodies, ACTED_ON, store.count("bodies"))
+    pushes, pushes_before = copied(tables.pushes, ("left",), store.count("pushes"))
     try:
-        act(store.tables, laws, dt)
+        act(tables, laws, dt)
         for pose, speed, lead, force in (
             ("x", "vx", "lead_x", "ax"),
             ("y", "vy", "lead_y", "ay"),
             ("angle", "spin", "lead_spin", "aspin"),
         ):
-            column[pose] += (column[speed] + column[lead] + column[force] * (dt / 2.0)) * dt
-            column[speed] += column[force] * dt
+            bodies[pose] += (bodies[speed] + bodies[lead] + bodies[force] * (dt / 2.0)) * dt
+            bodies[speed] += bodies[force] * dt
         yield
     finally:
-        left[:] = time_left
-        for name in MOVED:
-            column[name][:] = before[name]
+        put_back(bodies, bodies_before)
+        put_back(pushes, pushes_before)

@@ -26,14 +26,14 @@ class Body:
     collisions: `on_move(body)` if the body moved, `on_collision(body, collision)`.
     """
 
-    __slots__ = ("_on_collision", "_on_move", "_world", "id", "name", "shape")
+    __slots__ = ("_name", "_on_collision", "_on_move", "_world", "id", "shape")
 
     def __init__(self, world: "World", id: int, shape: Shape, name: str) -> None:
         """Made by `World.add`."""
         self._world = world
         self.id = id
         self.shape = shape
-        self.name = name
+        self._name = name
         self._on_move: OnMove | None = None
         self._on_collision: OnCollision | None = None
 
@@ -42,13 +42,22 @@ class Body:
         return f"<Body {self.id} {self.name!r}: {self.shape}>"
 
     @property
+    def name(self) -> str:
+        """What it is called in messages and tracks; several bodies may share a name."""
+        return self._name
+
+    @name.setter
+    def name(self, value: Any) -> None:
+        self._name = validate.text(value, "name")
+
+    @property
     def on_move(self) -> OnMove | None:
         """Called with this body after a step in which it moved."""
         return self._on_move
 
     @on_move.setter
     def on_move(self, function: OnMove | None) -> None:
-        self._on_move = function
+        self._on_move = validate.function_or_none(function, "on_move")
         self._world.store.listened_to |= function is not None
 
     @property
@@ -58,7 +67,7 @@ class Body:
 
     @on_collision.setter
     def on_collision(self, function: OnCollision | None) -> None:
-        self._on_collision = function
+        self._on_collision = validate.function_or_none(function, "on_collision")
         self._world.store.listened_to |= function is not None
 
     @property

@@ -161,7 +161,7 @@ class Joint:
     `on_break(joint)` is called after the step in which it broke.
     """
 
-    __slots__ = ("_world", "a", "b", "id", "on_break")
+    __slots__ = ("_on_break", "_world", "a", "b", "id")
 
     def __init__(self, world: "World", id: int, a: "Body | None", b: "Body | None") -> None:
         """Made by `World.join`; None is the world itself."""
@@ -169,12 +169,21 @@ class Joint:
         self.id = id
         self.a = a
         self.b = b
-        self.on_break: OnBreak | None = None
+        self._on_break: OnBreak | None = None
 
     def __repr__(self) -> str:
         """Say what it is and what it joins."""
         names = [body.name if body else "the world" for body in (self.a, self.b)]
         return f"<Joint {self.id}, {' to '.join(names)}>"
+
+    @property
+    def on_break(self) -> OnBreak | None:
+        """Called with this joint after the step in which it broke."""
+        return self._on_break
+
+    @on_break.setter
+    def on_break(self, function: OnBreak | None) -> None:
+        self._on_break = validate.function_or_none(function, "on_break")
 
     @property
     def kind(self) -> type[Spec]:

@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 
+from engine import validate
 from engine.kernels.rubbing import finish_mixing, static_friction
 from engine.settings import Rule
 from engine.tables import RESTING, Tables, arrays
@@ -15,15 +16,26 @@ RESTING_STATE = (
 
 
 def mix_by_rules(t: Tables, restitution: Rule, friction: Rule) -> None:
-    """Give each pair its coefficients by the rules of the world."""
+    """Give each pair its coefficients by the rules of the world.
+
+    Raises:
+        TypeError, ValueError: for what is no coefficient; the list of pairs is then made anew.
+    """
     bodies, pairs = t.bodies, t.pairs
+    stale, t.state.stale[0] = t.state.stale[0], 1
     for pair in range(t.counts.pairs[0]):
         a, b = pairs.a[pair], pairs.b[pair]
-        pairs.restitution[pair] = restitution(bodies.restitution[a], bodies.restitution[b])
-        pairs.friction[pair] = friction(bodies.friction[a], bodies.friction[b])
-        grip = friction(static_friction(t, a), static_friction(t, b))
-        pairs.static_friction[pair] = max(grip, pairs.friction[pair])
+        bounce = restitution(bodies.restitution[a], bodies.restitution[b])
+        pairs.restitution[pair] = validate.fraction(bounce, "what the restitution rule returns")
+        pairs.friction[pair] = rub = _rubbing(friction, bodies.friction[a], bodies.friction[b])
+        grip = _rubbing(friction, static_friction(t, a), static_friction(t, b))
+        pairs.static_friction[pair] = max(grip, rub)
         finish_mixing(t, pair)
+    t.state.stale[0] = stale
+
+
+def _rubbing(rule: Rule, one: float, other: float) -> float:
+    return validate.not_negative(rule(one, other), "what the friction rule returns")
 
 
 def forget(t: Tables, pair_count: int, row: int) -> int:

@@ -116,3 +116,15 @@ class Rules(NamedTuple):
 
 PLAIN_RULES = Rules(larger, geometric_mean)
 """Rules that kernels know; all others are asked in Python."""
+
+
+def rules(restitution: Rule | None, friction: Rule | None) -> Rules:
+    """Check what was given to `World`; None is the plain rule.
+
+    Raises:
+        TypeError: for what cannot be called.
+    """
+    return Rules(
+        validate.function_or_none(restitution, "restitution_rule") or larger,
+        validate.function_or_none(friction, "friction_rule") or geometric_mean,
+    )

@@ -4,9 +4,11 @@ import math
 from collections.abc import Iterable
 from itertools import islice
 from numbers import Real
-from typing import Any
+from typing import Any, TypeVar
 
 from engine.vector import Vector
+
+F = TypeVar("F")
 
 
 def finite(value: Any, name: str) -> float:
@@ -120,6 +122,13 @@ def text(value: Any, name: str) -> str:
     """Return `value`, words; refuse all else."""
     if not isinstance(value, str):
         raise TypeError(f"{name} must be text, not {value!r}")
+    return value
+
+
+def function_or_none(value: F, name: str) -> F:
+    """Return `value`, something that can be called, or None; refuse all else."""
+    if value is not None and not callable(value):
+        raise TypeError(f"{name} must be a function or None, not {value!r}")
     return value
 
 

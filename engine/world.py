@@ -21,7 +21,7 @@ from engine.materials import pair_row
 from engine.plain import Functions
 from engine.queries import Choice, Hit, Nearest
 from engine.recording import Recording
-from engine.settings import TICK, Rule, Rules, Sleep, geometric_mean, larger, laws
+from engine.settings import TICK, Rule, Sleep, laws, rules
 from engine.shapes import Shape
 from engine.snapshot import Snapshot
 from engine.store import Store
@@ -59,7 +59,7 @@ class World:
         sleeping: Sleep | bool = False,
     ) -> None:
         self.laws = laws(gravity, drag, integrator, substeps, sleeping)
-        self.rules = Rules(restitution_rule or larger, friction_rule or geometric_mean)
+        self.rules = rules(restitution_rule, friction_rule)
         """What makes the coefficients of a pair."""
         self.store = Store()
         """All that varies."""
@@ -433,8 +433,8 @@ class World:
 
     @restitution_rule.setter
     @noted
-    def restitution_rule(self, rule: Rule) -> None:
-        self.rules = self.rules._replace(restitution=rule)
+    def restitution_rule(self, rule: Rule | None) -> None:
+        self.rules = rules(rule, self.rules.friction)
         self.displaced()
 
     @property
@@ -444,8 +444,8 @@ class World:
 
     @friction_rule.setter
     @noted
-    def friction_rule(self, rule: Rule) -> None:
-        self.rules = self.rules._replace(friction=rule)
+    def friction_rule(self, rule: Rule | None) -> None:
+        self.rules = rules(self.rules.restitution, rule)
         self.displaced()
 
     @property

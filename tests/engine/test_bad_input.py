@@ -62,6 +62,8 @@ KINDS: dict[str, list[Any]] = {
     "way": [[], [(1, 1)], [(1, 1)] * 5, None, 3, [(0, 0), (math.inf, 1)], "ab"],
     "shape": [None, 3, "circle", Circle, (1, 2)],
     "text": [3, None, b"x", ["x"]],
+    "effort": [3, "up", (1,), (1, 2, 3, 4), [1, 2], (1, "x"), True],
+    "function": [3, "f", (1, 2), [print], math.nan],
 }  # fmt: skip
 """Of each kind, values that it is not."""
 
@@ -83,8 +85,8 @@ def added(name: str) -> Callable[[Any], Any]:
 
 
 def given_or_not(name: str) -> Callable[[Any], Any]:
-    """For what may be None: then another string is tried."""
-    return lambda value: added(name)("none" if value is None else value)
+    """For what may be None: then another value is tried."""
+    return lambda value: added(name)(["none"] if value is None else value)
 
 
 def joined(make: Callable[[Any], Any]) -> Callable[[Any], Any]:
@@ -98,6 +100,24 @@ def joined(make: Callable[[Any], Any]) -> Callable[[Any], Any]:
 def exerted(**given: Any) -> Any:
     effort = given.pop("effort", Force(1, 0))
     return world().body(2).exert(effort, **given)
+
+
+def hung(**given: Any) -> Any:
+    room = world()
+    return room.join(None, room.body(2), Pin(at=(0, 1)), **given)
+
+
+def pulled(law: Callable[..., Any]) -> None:
+    room = world()
+    room.add_law(law)
+    room.step()
+
+
+def fall(**rules: Any) -> None:
+    room = World(gravity=(0, -9.81), **rules)
+    room.add(Wall((-5, 0), (5, 0)))
+    room.add(Box(1, 1), position=(0, 0.5))
+    room.step()
 
 
 CALLS: list[tuple[str, str, Callable[[Any], Any]]] = [
@@ -187,6 +207,22 @@ CALLS: list[tuple[str, str, Callable[[Any], Any]]] = [
     ("Pulley over", "point", joined(lambda v: Pulley(v, (9, 9)))),
     ("Pulley ratio", "positive", joined(lambda v: Pulley((0, 9), (2, 9), ratio=v))),
     ("body", "shape", lambda v: world().remove(v)),
+    ("add name", "text", given_or_not("name")),
+    ("set name", "text", setter("name")),
+    *((f"{how} {name}", "function", make(name))
+      for how, make in (("add", added), ("set", setter)) for name in ("on_move", "on_collision")),
+    ("join on_break", "function", lambda v: hung(on_break=v)),
+    ("Joint.on_break", "function", lambda v: setattr(hung(), "on_break", v)),
+    ("World restitution_rule", "function", lambda v: World(restitution_rule=v)),
+    ("World friction_rule", "function", lambda v: World(friction_rule=v)),
+    ("World.restitution_rule", "function", lambda v: setattr(world(), "restitution_rule", v)),
+    ("World.friction_rule", "function", lambda v: setattr(world(), "friction_rule", v)),
+    ("add_law", "function", lambda v: world().add_law(v)),
+    ("a law returns", "effort", lambda v: pulled(lambda body, time: v)),
+    ("a law returns a force", "number", lambda v: pulled(lambda body, time: (v, 0.0))),
+    ("a law returns a torque", "number", lambda v: pulled(lambda body, time: (0.0, 0.0, v))),
+    ("a restitution rule returns", "fraction", lambda v: fall(restitution_rule=lambda a, b: v)),
+    ("a friction rule returns", "not negative", lambda v: fall(friction_rule=lambda a, b: v)),
 ]  # fmt: skip
 
 
