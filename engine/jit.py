@@ -50,6 +50,7 @@ SOURCES = (
     "linkage.limb_impacts",
     "linkage.limb_impulses",
     "linkage.limb_motion",
+    "linkage.limb_sweeps",
     "linkage.limb_velocities",
     "linkage.limbs",
     "linkage.modes",

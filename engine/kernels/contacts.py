@@ -18,9 +18,12 @@ from engine.kernels.following import (
     turning,
 )
 from engine.kernels.parting import part_gently
-from engine.kernels.sweeps import sweep, sweep_until_calm, warm_start
+from engine.kernels.sweeps import warm_start
+from engine.linkage.limb_motion import bind_limbs
+from engine.linkage.limb_sweeps import sweep_all, sweep_all_until_calm, turn_limbs_by_shift
+from engine.linkage.limb_velocities import ease_limbs
 from engine.linkage.positions import bind, brace, follow_joints, keep_impulses
-from engine.linkage.tally import joints_act
+from engine.linkage.tally import joints_act, joints_jolt
 from engine.linkage.velocities import ease, keep_ends, prepare_ease
 from engine.tables import RESTING, Tables
 
@@ -75,7 +78,7 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
             bodies.kick_spin[row] = bodies.spin[row] + bodies.aspin[row] * part
             if (abs(ax) + abs(ay)) * part > VIOLENT * bodies.reach[row]:
                 violent = True
-    brace(t, resting, part)
+    brace(t, part)
     if violent:
         harden(t, resting)
     warm_start(t, resting)
@@ -83,10 +86,11 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
     gives_up = not violent and not joints_act(t)
     for i in range(1, (PATIENT_SWEEPS if violent else t.progress.sweeps[0]) + 1):
         last = gives_up and i == WILD_SWEEPS
-        changed = sweep(t, resting, WILD if last else CALM, i % 2 == 0)
+        changed = sweep_all(t, resting, WILD if last else CALM, i % 2 == 0)
         failed = bind(t, part)
         if changed == last and (resting == 0 or failed <= CALM):
             break
+    bind_limbs(t, part)
     keep_impulses(t, part)
     for row in range(count):
         if bodies.held[row] > 0:
@@ -97,12 +101,17 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
 
 
 def is_violent(t: Tables, resting: int) -> bool:
-    """Whether a contact carried more in its last part than forces of everyday life make it."""
+    """Whether a contact carried more in its last part than forces of everyday life make it.
+
+    What joints hold may stop at once where it jams, and the limb that it jams be light.
+    """
     pairs = t.pairs
+    joined = t.bodies.joined
     for k in range(resting):
         pair = pairs.resting[k]
         if pairs.carried[pair] > VIOLENT * pairs.size[pair]:
-            return True
+            if joined[pairs.a[pair]] == 0 and joined[pairs.b[pair]] == 0:
+                return True
     return False
 
 
@@ -142,22 +151,23 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
             stiffen(t, pair, part)
             t.pairs.resting[left] = pair
             left += 1
-    prepare_ease(t, left, part, done)
+    prepare_ease(t, part, done)
     still = False
     if steady:
-        still = sweep_until_calm(t, left, 2 * STEADY_SWEEPS, STILL)
+        still = sweep_all_until_calm(t, left, 2 * STEADY_SWEEPS, STILL)
     else:
         violent = is_violent(t, left)
         polish = CALM if violent else FINE
         gives_up = not violent and not joints_act(t)
         for i in range(1, (PATIENT_SWEEPS if violent else t.progress.sweeps[0]) + 1):
             last = gives_up and i == WILD_SWEEPS
-            changed = sweep(t, left, WILD if last else polish, i % 2 == 1)
+            changed = sweep_all(t, left, WILD if last else polish, i % 2 == 1)
             failed = ease(t)
             if changed == last and (left == 0 or failed <= CALM):
                 break
+    ease_limbs(t)
     part_gently(t, left, part * done)
-    keep_ends(t, part, done)
+    keep_ends(t, part, done, steady)
     book_relax(t, left, count)
     for row in range(count):
         if bodies.held[row] > 0:
@@ -227,12 +237,12 @@ def correct_arms(
         part: its planned length (s).
         reached: after which it ended (s).
     """
-    joined = joints_act(t)
-    if reached == part and t.impacts.written[0] == first and not joined:
+    if reached == part and t.impacts.written[0] == first and not joints_jolt(t):
         return
     shift_paths(t, count, first, now, part, reached)
     for k in range(resting):
         turn_by_shift(t, t.pairs.resting[k], reached / part)
+    turn_limbs_by_shift(t, reached / part)
 
 
 def shift_paths(t: Tables, count: int, first: int, now: float, part: float, reached: float) -> None:
@@ -246,7 +256,7 @@ def shift_paths(t: Tables, count: int, first: int, now: float, part: float, reac
         if bodies.held[row] > 0:
             bodies.shift_x[row] = (bodies.kick_x[row] - bodies.path_x[row] * part) * early
             bodies.shift_y[row] = (bodies.kick_y[row] - bodies.path_y[row] * part) * early
-    follow_joints(t, part)
+    follow_joints(t, part, reached)
     for i in range(first, impacts.written[0]):
         left = reached - (impacts.time[i] - now)
         if left > 0.0:

@@ -14,8 +14,10 @@ from engine.kernels.books import book_halt, note_part
 from engine.kernels.contacts import STEADY_SWEEPS, STILL, stiffen
 from engine.kernels.following import find_points, follow, has_drifted
 from engine.kernels.sticking import FIXED, find_fixed
-from engine.kernels.sweeps import sweep, sweep_until_calm, warm_start
+from engine.kernels.sweeps import warm_start
 from engine.kernels.touches import touch
+from engine.linkage.limb_motion import keep_limb_impulses
+from engine.linkage.limb_sweeps import bear_evenly, keep_loads, sweep_all, sweep_all_until_calm
 from engine.tables import Tables
 
 MOVING, UNEVEN, BALANCED, RELYING = 0, 1, 2, 3
@@ -117,6 +119,7 @@ def relies(t: Tables, count: int, resting: int, part: float) -> bool:
         take_up(t, t.pairs.resting[k], part)
     push_all(t, count, part)
     warm_start(t, resting)
+    bear_evenly(t, part)
     for row in range(count):
         if bodies.held[row] > 0:
             reach = bodies.reach[row]
@@ -127,6 +130,7 @@ def relies(t: Tables, count: int, resting: int, part: float) -> bool:
                 return False
     for k in range(resting):
         touch(t, t.pairs.resting[k])
+    keep_limb_impulses(t, part)
     bend(t, count, part)
     return True
 
@@ -148,17 +152,20 @@ def balance(t: Tables, count: int, resting: int, part: float) -> int:
         foresee(t, pair)
     push_all(t, count, part)
     warm_start(t, resting)
+    bear_evenly(t, part)
     found = MOVING
-    if not sweep(t, resting, BEARING, False):
+    if not sweep_all(t, resting, BEARING, False):
         for k in range(resting):
             touch(t, t.pairs.resting[k])
-        found = BALANCED if sweep_until_calm(t, resting, STEADY_SWEEPS, STILL) else UNEVEN
+        found = BALANCED if sweep_all_until_calm(t, resting, STEADY_SWEEPS, STILL) else UNEVEN
+    keep_loads(t, part)
     for k in range(resting):
         pair = t.pairs.resting[k]
         for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
             contacts.normal_load[row] = contacts.normal_impulse[row] / part
             contacts.tangent_load[row] = contacts.tangent_impulse[row] / part
     if found != MOVING:
+        keep_limb_impulses(t, part)
         find_fixed(t, count, resting)
         bend(t, count, part)
     return found

@@ -41,6 +41,9 @@ def find_fixed(t: Tables, count: int, resting: int) -> None:
         for k in range(resting):
             if pin_down(t, t.pairs.resting[resting - 1 - k if backwards else k]):
                 grows = True
+        for k in range(t.bones.sizes[0]):
+            if pin_limb(t, k):
+                grows = True
         backwards = not backwards
     for row in range(count):
         bodies.stuck[row] = bodies.stuck[cluster_of(t, row)]
@@ -81,15 +84,39 @@ def pin_down(t: Tables, pair: int) -> bool:
     for point in range(2 * pair, 2 * pair + t.pairs.points[pair]):
         if t.contacts.normal_load[point] > 0.0:
             x, y = place_of(t, pair, point)
-            if stuck[a] == FIXED:
-                grows = pin(t, b, x, y) or grows
-            elif stuck[b] == FIXED:
-                grows = pin(t, a, x, y) or grows
-            elif is_triangle(t, a, b, x, y):
-                stuck[a] = FIXED
-                stuck[b] = FIXED
-                grows = True
+            grows = pin_together(t, a, b, x, y) or grows
     return grows
+
+
+def pin_limb(t: Tables, k: int) -> bool:
+    """The same by a hinge, which never lets go."""
+    stuck = t.bodies.stuck
+    parent = t.limbs.parent[k]
+    x = t.bones.x[k] + t.limbs.arm_x[k]
+    y = t.bones.y[k] + t.limbs.arm_y[k]
+    a = cluster_of(t, t.bones.body[k])
+    if t.bones.body[parent] < 0:
+        return stuck[a] != FIXED and pin(t, a, x, y)
+    b = cluster_of(t, t.bones.body[parent])
+    if a == b or stuck[a] + stuck[b] < PINNED + PINNED or stuck[a] + stuck[b] == FIXED + FIXED:
+        return False
+    return pin_together(t, a, b, x, y)
+
+
+def pin_together(t: Tables, a: int, b: int, x: float, y: float) -> bool:
+    """Pin two clusters to each other at (x, y) (m), both of which are pinned to the ground or one
+    of which is fixed; return whether one is pinned anew.
+    """
+    stuck = t.bodies.stuck
+    if stuck[a] == FIXED:
+        return pin(t, b, x, y)
+    if stuck[b] == FIXED:
+        return pin(t, a, x, y)
+    if is_triangle(t, a, b, x, y):
+        stuck[a] = FIXED
+        stuck[b] = FIXED
+        return True
+    return False
 
 
 def place_of(t: Tables, pair: int, point: int) -> tuple[float, float]:

@@ -51,16 +51,6 @@ def warm_start(t: Tables, resting: int) -> None:
             kick_spin[b] += bodies.inverse_inertia[b] * turn_b
 
 
-def sweep_until_calm(t: Tables, resting: int, most: int, calm: float) -> bool:
-    """Solve all resting pairs one after the other, again while that changes more than `calm` (1/s),
-    `most` times at most; return whether it became calm.
-    """
-    for i in range(most):  # noqa: SIM110, a loop that can be compiled
-        if not sweep(t, resting, calm, i % 2 == 0):
-            return True
-    return False
-
-
 def sweep(t: Tables, resting: int, calm: float, backwards: bool) -> bool:
     """Solve each resting pair once, along the normal, then against the sliding and the rolling.
 

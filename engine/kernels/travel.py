@@ -44,6 +44,7 @@ from engine.kernels.steady import (
 from engine.kernels.touches import collect, take_back, touch
 from engine.linkage.answers import changed, has_braces
 from engine.linkage.limb_impacts import bone_changed, tree_at
+from engine.linkage.limb_sweeps import all_bear, book_even
 from engine.linkage.pace import SHORTEST, part_for_joints
 from engine.linkage.tally import (
     clear_sums,
@@ -157,6 +158,7 @@ def travel(
             advance_all(t.bodies, count, reached)
         if held > 0:
             book_part(t, held, count, part, reached, t.impacts.written[0] > first)
+            book_even(t, reached / part)
             if steadiness != MOVING:
                 book_fixed(t, count, reached / part)
             if reached < part:
@@ -191,7 +193,7 @@ def plan(
     part = dt - now
     if resting == 0 and not joints_act(t):
         return part, 0, MOVING
-    if now == 0.0 and not joints_act(t) and is_steady(t, count, resting, dt):
+    if now == 0.0 and all_bear(t) and is_steady(t, count, resting, dt):
         if relies(t, count, resting, dt):
             return part, resting, RELYING
         place_middle(t, count, dt / 2.0)

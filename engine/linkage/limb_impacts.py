@@ -156,6 +156,12 @@ def jolt_bone(t: Tables, bone: int, time: float) -> None:
         x = bones.lent_x[bone]
         y = bones.lent_y[bone]
         jolt_at(t, bones.body[bone], time, x, y, bones.lent_spin[bone])
+        bones.late_x[bone] += x
+        bones.late_y[bone] += y
+        bones.late_once_x[bone] += x * time
+        bones.late_once_y[bone] += y * time
+        bones.late_twice_x[bone] += x * time * time
+        bones.late_twice_y[bone] += y * time * time
 
 
 def bone_changed(t: Tables, bone: int) -> bool:

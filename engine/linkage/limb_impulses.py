@@ -5,12 +5,16 @@ from engine.tables import Tables
 
 
 def read_means(t: Tables) -> None:
-    """Read the mean velocities over the part; what joints lend is nothing yet."""
+    """Read the mean velocities over the part, or over its second half where hinges act through it
+    all, that is those of its end; what joints lend is nothing yet.
+    """
     bones = t.bones
     bodies = t.bodies
     for bone in range(bones.sizes[2]):
         row = bones.body[bone]
-        if bone < bones.sizes[1]:
+        if bone < bones.sizes[1] and t.trees.evenly[bones.tree[bone]] == 1:
+            read_end(t, bone, row)
+        elif bone < bones.sizes[1]:
             bones.vx[bone] = (bodies.vx[row] + bodies.kick_x[row]) / 2.0
             bones.vy[bone] = (bodies.vy[row] + bodies.kick_y[row]) / 2.0
             bones.spin[bone] = (bodies.spin[row] + bodies.kick_spin[row]) / 2.0
@@ -22,16 +26,20 @@ def read_means(t: Tables) -> None:
 def read_ends(t: Tables) -> None:
     """Read the velocities at the end of the part."""
     bones = t.bones
-    bodies = t.bodies
     for bone in range(bones.sizes[2]):
         row = bones.body[bone]
         if bone < bones.sizes[1]:
-            bones.vx[bone] = bodies.kick_x[row]
-            bones.vy[bone] = bodies.kick_y[row]
-            bones.spin[bone] = bodies.kick_spin[row]
-            lend_nothing(t, bone)
+            read_end(t, bone, row)
         elif row >= 0:
             read_own(t, bone, row)
+
+
+def read_end(t: Tables, bone: int, row: int) -> None:
+    """Read the velocity of a body at the end of the part; what joints lend is nothing yet."""
+    t.bones.vx[bone] = t.bodies.kick_x[row]
+    t.bones.vy[bone] = t.bodies.kick_y[row]
+    t.bones.spin[bone] = t.bodies.kick_spin[row]
+    lend_nothing(t, bone)
 
 
 def read_own(t: Tables, bone: int, row: int) -> None:
@@ -46,6 +54,19 @@ def lend_nothing(t: Tables, bone: int) -> None:
     t.bones.lent_x[bone] = 0.0
     t.bones.lent_y[bone] = 0.0
     t.bones.lent_spin[bone] = 0.0
+
+
+def forget_jolts(t: Tables, bone: int) -> None:
+    """Begin a part: joints have not jolted a bone yet."""
+    bones = t.bones
+    bones.sum_x[bone] = 0.0
+    bones.sum_y[bone] = 0.0
+    bones.late_x[bone] = 0.0
+    bones.late_y[bone] = 0.0
+    bones.late_once_x[bone] = 0.0
+    bones.late_once_y[bone] = 0.0
+    bones.late_twice_x[bone] = 0.0
+    bones.late_twice_y[bone] = 0.0
 
 
 def lend_all(t: Tables) -> None:
@@ -80,25 +101,32 @@ def lend_limb(t: Tables, k: int) -> None:
 
 
 def deliver_starts(t: Tables) -> None:
-    """Give what joints lent to the bodies, from the start of the part on."""
+    """Give what joints lent to the bodies, from the start of the part on, or all through it."""
     bones = t.bones
     for bone in range(bones.sizes[1]):
-        x = bones.lent_x[bone]
-        y = bones.lent_y[bone]
-        jolt_start(t, bones.body[bone], x, y, bones.lent_spin[bone])
-        bones.sum_x[bone] += x
-        bones.sum_y[bone] += y
+        if t.trees.evenly[bones.tree[bone]] == 1:
+            deliver_end(t, bone)
+        else:
+            x = bones.lent_x[bone]
+            y = bones.lent_y[bone]
+            jolt_start(t, bones.body[bone], x, y, bones.lent_spin[bone])
+            bones.sum_x[bone] += x
+            bones.sum_y[bone] += y
 
 
 def deliver_ends(t: Tables) -> None:
     """Give what joints lent to the bodies, at the end of the part."""
-    bones = t.bones
+    for bone in range(t.bones.sizes[1]):
+        deliver_end(t, bone)
+
+
+def deliver_end(t: Tables, bone: int) -> None:
+    """Give what joints lent to one of them."""
     bodies = t.bodies
-    for bone in range(bones.sizes[1]):
-        row = bones.body[bone]
-        bodies.kick_x[row] += bones.lent_x[bone]
-        bodies.kick_y[row] += bones.lent_y[bone]
-        bodies.kick_spin[row] += bones.lent_spin[bone]
+    row = t.bones.body[bone]
+    bodies.kick_x[row] += t.bones.lent_x[bone]
+    bodies.kick_y[row] += t.bones.lent_y[bone]
+    bodies.kick_spin[row] += t.bones.lent_spin[bone]
 
 
 def add_up_limb(t: Tables, k: int) -> None:

@@ -10,8 +10,16 @@ import math
 from engine.linkage.limb_impulses import (
     add_up_limb,
     deliver_starts,
+    forget_jolts,
     lend_all,
     read_means,
+)
+from engine.linkage.limb_sweeps import (
+    aim_sweeps,
+    expect_evenly,
+    find_even,
+    keep_evenly,
+    place_even,
 )
 from engine.linkage.limbs import gather_masses, resolve, solve_all, solve_tree, stand, stands
 from engine.linkage.modes import TIGHT
@@ -43,10 +51,10 @@ NEAR = 0.3
 """Up to this angle (rad) the series of sine and cosine below are exact to rounding."""
 
 
-def brace_limbs(t: Tables, resting: int, part: float) -> None:
+def brace_limbs(t: Tables, part: float) -> None:
     """Prepare the limbs for a part (s); let the impulses that are likely act.
 
-    Where `resting` pairs of bodies take part, those are the impulses of the part before: what
+    Where contacts act too, those are the impulses of the part before, spread over all of it: what
     contacts do is not smooth.
     """
     if t.bones.sizes[0] == 0:
@@ -57,24 +65,29 @@ def brace_limbs(t: Tables, resting: int, part: float) -> None:
     t.bones.sizes[4] = 0
     t.bones.sizes[6] = 0
     for bone in range(t.bones.sizes[1]):
-        t.bones.sum_x[bone] = 0.0
-        t.bones.sum_y[bone] = 0.0
+        forget_jolts(t, bone)
+    find_even(t)
+    place_even(t, part)
     for k in range(t.bones.sizes[0]):
-        expect_impulse(t, k, part, 0.0 if resting > 0 else 1.0)
+        if t.trees.evenly[t.limbs.tree[k]] == 1:
+            expect_evenly(t, k, part)
+        else:
+            expect_impulse(t, k, part)
     lend_all(t)
     deliver_starts(t)
+    if t.bones.sizes[7] > 0:
+        aim_sweeps(t, True)
 
 
-def expect_impulse(t: Tables, k: int, part: float, trend: float) -> None:
-    """Set what a limb will exert at the start of the part (s), judging by the parts before.
-
-    `trend` is the share of the change between the last two of them that is expected again.
+def expect_impulse(t: Tables, k: int, part: float) -> None:
+    """Set what a limb will exert at the start of the part (s), judging by the parts before: that
+    what changed between the last two of them changes again.
     """
     joints = t.joints
     joint = t.limbs.joint[k]
     half = t.limbs.sign[k] * part / 2.0
-    lag_x = joints.lag_0[joint] + trend * (joints.lag_0[joint] - joints.older_0[joint])
-    lag_y = joints.lag_1[joint] + trend * (joints.lag_1[joint] - joints.older_1[joint])
+    lag_x = joints.lag_0[joint] + (joints.lag_0[joint] - joints.older_0[joint])
+    lag_y = joints.lag_1[joint] + (joints.lag_1[joint] - joints.older_1[joint])
     t.limbs.impulse_x[k] = half * (joints.end_0[joint] + part * lag_x)
     t.limbs.impulse_y[k] = half * (joints.end_1[joint] + part * lag_y)
     t.limbs.given_x[k] = 0.0
@@ -91,9 +104,9 @@ def bind_limbs(t: Tables, part: float) -> float:
     read_means(t)
     failed = 0.0
     for step in range(MOST_STEPS):
-        bend(t, part)
+        bend(t)
         renewing = t.bones.sizes[6] == 0 or step >= CHORDS
-        measure_limbs(t, part, renewing)
+        measure_limbs(t, renewing)
         if step == 0:
             failed = note_first(t)
         going, alike, sure = choose_steps(t, renewing)
@@ -137,14 +150,15 @@ def withdraw_lost(t: Tables) -> int:
     return lost
 
 
-def bend(t: Tables, part: float) -> None:
-    """Find by how much bones move and turn until the end of the part (s)."""
+def bend(t: Tables) -> None:
+    """Find by how much bones move and turn from where they are placed to the end of the part."""
     bones = t.bones
     far = False
     for bone in range(bones.sizes[2]):
-        bones.way_x[bone] = part * (bones.vx[bone] + bones.lent_x[bone])
-        bones.way_y[bone] = part * (bones.vy[bone] + bones.lent_y[bone])
-        angle = part * (bones.spin[bone] + bones.lent_spin[bone])
+        lasts = bones.lasts[bone]
+        bones.way_x[bone] = lasts * (bones.vx[bone] + bones.lent_x[bone])
+        bones.way_y[bone] = lasts * (bones.vy[bone] + bones.lent_y[bone])
+        angle = lasts * (bones.spin[bone] + bones.lent_spin[bone])
         s = angle * angle
         far = far or s > NEAR * NEAR
         bones.turn_sin[bone] = angle * (
@@ -166,19 +180,18 @@ def bend(t: Tables, part: float) -> None:
         )
     if far:
         for bone in range(bones.sizes[2]):
-            angle = part * (bones.spin[bone] + bones.lent_spin[bone])
+            angle = bones.lasts[bone] * (bones.spin[bone] + bones.lent_spin[bone])
             bones.turn_sin[bone] = math.sin(angle)
             bones.turn_less[bone] = math.cos(angle) - 1.0
 
 
-def measure_limbs(t: Tables, part: float, aiming: bool) -> None:
+def measure_limbs(t: Tables, aiming: bool) -> None:
     """Find by how much hinges will gape at the end of the part (s); aim at where they will be."""
     bones = t.bones
     limbs = t.limbs
     trees = t.trees
     for tree in range(bones.sizes[3]):
         trees.worst[tree] = 0.0
-    wanted = -1.0 / part
     for k in range(bones.sizes[0]):
         parent = limbs.parent[k]
         tree = limbs.tree[k]
@@ -204,8 +217,8 @@ def measure_limbs(t: Tables, part: float, aiming: bool) -> None:
         if aiming:
             limbs.span_x[k] = x + bend_x
             limbs.span_y[k] = y + bend_y
-        limbs.rate_x[k] = wanted * gap_x
-        limbs.rate_y[k] = wanted * gap_y
+        limbs.rate_x[k] = -gap_x / bones.lasts[k]
+        limbs.rate_y[k] = -gap_y / bones.lasts[k]
         size = (gap_x * gap_x + gap_y * gap_y) * limbs.scale[k]
         if size > trees.worst[tree]:
             trees.worst[tree] = size
@@ -321,13 +334,16 @@ def step_limb(t: Tables, k: int, back: bool) -> None:
 
 
 def keep_limb_impulses(t: Tables, part: float) -> None:
-    """Note what the limbs exert at the start of the part (s), once that is settled."""
+    """Note what the limbs exert at the start of the part (s), or through it, once that is settled."""
     joints = t.joints
     limbs = t.limbs
     twice = 2.0 / part
     for k in range(t.bones.sizes[0]):
         joint = limbs.joint[k]
         add_up_limb(t, k)
+        if t.trees.evenly[limbs.tree[k]] == 1:
+            keep_evenly(t, k)
+            continue
         x = limbs.sign[k] * limbs.impulse_x[k]
         y = limbs.sign[k] * limbs.impulse_y[k]
         joints.impulse_0[joint] = x

@@ -1,9 +1,8 @@
 """Trees of hinged bodies at the end of each part: the impulses for which velocities obey hinges."""
 
-import math
-
 from engine.linkage.limb_impulses import add_up_limb, deliver_ends, lend_all, read_ends
 from engine.linkage.limb_motion import step_limb
+from engine.linkage.limb_sweeps import aim_sweeps
 from engine.linkage.limbs import resolve, solve_all, solve_tree, stand
 from engine.tables import Tables
 
@@ -11,42 +10,35 @@ STILL = 1e-12
 """Hinges that open no faster are at rest, in reaches of the smaller body a second (1/s)."""
 
 
-def prepare_limbs(t: Tables, part: float) -> None:
-    """Prepare the limbs for the end of a part, where their bodies are now.
-
-    Where contacts are to agree with them, let act what they exerted at the end of the part before;
-    else the solution alone is exact.
-    """
+def prepare_limbs(t: Tables) -> None:
+    """Prepare the limbs for the end of a part, where their bodies are now."""
     if t.bones.sizes[0] == 0:
         return
     stand(t)
-    resolve(t)
     t.bones.sizes[4] = 1
     limbs = t.limbs
-    half = part / 2.0
     for k in range(t.bones.sizes[0]):
-        joint = limbs.joint[k]
-        limbs.impulse_x[k] = limbs.sign[k] * half * t.joints.end_0[joint]
-        limbs.impulse_y[k] = limbs.sign[k] * half * t.joints.end_1[joint]
+        limbs.impulse_x[k] = 0.0
+        limbs.impulse_y[k] = 0.0
         limbs.given_x[k] = 0.0
         limbs.given_y[k] = 0.0
-    if part > 0.0:
-        lend_all(t)
-        deliver_ends(t)
+    if t.bones.sizes[7] > 0:
+        aim_sweeps(t, False)
 
 
-def ease_limbs(t: Tables) -> float:
-    """Make velocities obey the hinges; return how fast they did not before (1/s)."""
+def ease_limbs(t: Tables) -> None:
+    """Make velocities obey the hinges."""
     if t.bones.sizes[0] == 0:
-        return 0.0
+        return
     read_ends(t)
-    failed = find_hinge_rates(t)
+    find_hinge_rates(t)
     going = 0
     for tree in range(t.bones.sizes[3]):
         if t.trees.worst[tree] > STILL * STILL:
             going += 1
     if going == 0:
-        return math.sqrt(failed)
+        return
+    resolve(t)
     if going == t.bones.sizes[3]:
         solve_all(t)
         for k in range(t.bones.sizes[0]):
@@ -58,7 +50,6 @@ def ease_limbs(t: Tables) -> float:
                 ease_tree(t, tree)
     lend_all(t)
     deliver_ends(t)
-    return math.sqrt(failed)
 
 
 def ease_tree(t: Tables, tree: int) -> None:
@@ -69,8 +60,10 @@ def ease_tree(t: Tables, tree: int) -> None:
         step_limb(t, t.limbs.member[at], False)
 
 
-def find_hinge_rates(t: Tables) -> float:
-    """Want all hinges to open no more; return the fastest, in sizes of joints a second, squared."""
+def find_hinge_rates(t: Tables) -> None:
+    """Want all hinges to open no more; note of each tree the fastest, in sizes of joints a second,
+    squared.
+    """
     limbs = t.limbs
     worst = t.trees.worst
     for tree in range(t.bones.sizes[3]):
@@ -83,11 +76,6 @@ def find_hinge_rates(t: Tables) -> float:
         size = (x * x + y * y) * limbs.scale[k]
         if size > worst[tree]:
             worst[tree] = size
-    fastest = 0.0
-    for tree in range(t.bones.sizes[3]):
-        if worst[tree] > fastest:
-            fastest = worst[tree]
-    return fastest
 
 
 def find_hinge_rate(t: Tables, k: int) -> None:
@@ -103,8 +91,11 @@ def find_hinge_rate(t: Tables, k: int) -> None:
     )
 
 
-def keep_limb_ends(t: Tables, part: float, done: float) -> None:
-    """Note what the limbs exert at the end of a part (s), of which the share `done` has passed."""
+def keep_limb_ends(t: Tables, part: float, done: float, steady: bool) -> None:
+    """Note what the limbs exert at the end of a part (s), of which the share `done` has passed.
+
+    In a steady part, impulses that stop what still moves are no loads that last.
+    """
     joints = t.joints
     limbs = t.limbs
     for k in range(t.bones.sizes[0]):
@@ -112,6 +103,13 @@ def keep_limb_ends(t: Tables, part: float, done: float) -> None:
         add_up_limb(t, k)
         x = limbs.sign[k] * limbs.impulse_x[k]
         y = limbs.sign[k] * limbs.impulse_y[k]
+        if t.trees.evenly[limbs.tree[k]] == 1:
+            last = 0.0 if steady or done < 1.0 else 1.0
+            joints.end_0[joint] = (joints.impulse_0[joint] + last * x) / part
+            joints.end_1[joint] = (joints.impulse_1[joint] + last * y) / part
+            joints.sum_x[joint] -= (1.0 - done) * joints.impulse_0[joint]
+            joints.sum_y[joint] -= (1.0 - done) * joints.impulse_1[joint]
+            continue
         if done < 1.0:
             x = joints.impulse_0[joint]
             y = joints.impulse_1[joint]

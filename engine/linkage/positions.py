@@ -11,7 +11,7 @@ does not drift. The equations are solved by Newton's method with the matrix of t
 from engine.linkage.geometry import aim, measure, place_nodes
 from engine.linkage.impulses import add_up, lend, note_impulses, solve_for, take
 from engine.linkage.jolts import jolt_start
-from engine.linkage.limb_motion import bind_limbs, brace_limbs, keep_limb_impulses
+from engine.linkage.limb_motion import brace_limbs, keep_limb_impulses
 from engine.linkage.modes import (
     ELASTIC,
     FREE_WAY,
@@ -37,11 +37,9 @@ MOST_CHANGES = 12
 motor ends, only where everything else is solved; else they would chase each other."""
 
 
-def brace(t: Tables, resting: int, part: float) -> None:
-    """Prepare the joints for a part (s) in which so many pairs of bodies rest; let the impulses of
-    the part before act.
-    """
-    brace_limbs(t, resting, part)
+def brace(t: Tables, part: float) -> None:
+    """Prepare the joints for a part (s); let the impulses of the part before act."""
+    brace_limbs(t, part)
     if t.braces.sizes[0] == 0:
         return
     for node in range(t.braces.sizes[1]):
@@ -63,13 +61,13 @@ def brace(t: Tables, resting: int, part: float) -> None:
 
 
 def bind(t: Tables, part: float) -> float:
-    """Make the constraints hold at the end of the part; return how fast they failed it before.
+    """Make the constraints, those of trees of hinges apart, hold at the end of the part; return how
+    fast they failed it before.
 
     That speed is in reaches of the smaller body a second (1/s).
     """
-    of_limbs = bind_limbs(t, part)
     if t.braces.sizes[0] == 0:
-        return of_limbs
+        return 0.0
     gather_means(t)
     for row in range(t.braces.sizes[2]):
         t.equations.total[row] = 0.0
@@ -106,7 +104,7 @@ def bind(t: Tables, part: float) -> float:
     if worst > STRIDE:
         give_up(t)
     deliver(t)
-    return failed if failed > of_limbs else of_limbs
+    return failed
 
 
 def give_up(t: Tables) -> None:
@@ -177,8 +175,10 @@ def deliver(t: Tables) -> None:
         nodes.sum_y[node] += y
 
 
-def follow_joints(t: Tables, part: float) -> None:
-    """Add to `shift` by how much joints moved the middle of the planned paths of a part (s)."""
+def follow_joints(t: Tables, part: float, reached: float) -> None:
+    """Add to `shift` by how much joints moved the middle of the planned paths of a part (s), which
+    ended when `reached` seconds had passed.
+    """
     nodes = t.nodes
     bodies = t.bodies
     for node in range(1, t.braces.sizes[1]):
@@ -190,6 +190,11 @@ def follow_joints(t: Tables, part: float) -> None:
         row = bones.body[bone]
         bodies.shift_x[row] += bones.sum_x[bone] * part / 2.0
         bodies.shift_y[row] += bones.sum_y[bone] * part / 2.0
+        if reached > 0.0:
+            x = bones.late_x[bone] * reached - 2.0 * bones.late_once_x[bone]
+            y = bones.late_y[bone] * reached - 2.0 * bones.late_once_y[bone]
+            bodies.shift_x[row] += (x + bones.late_twice_x[bone] / reached) / 2.0
+            bodies.shift_y[row] += (y + bones.late_twice_y[bone] / reached) / 2.0
 
 
 def warm_start(t: Tables, part: float) -> None:

@@ -18,6 +18,11 @@ def joints_act(t: Tables) -> bool:
     return t.braces.sizes[0] > 0 or t.bones.sizes[0] > 0
 
 
+def joints_jolt(t: Tables) -> bool:
+    """Whether any joint gives an impulse at the start of a part."""
+    return t.braces.sizes[0] > 0 or t.bones.sizes[7] < t.bones.sizes[3]
+
+
 def clear_sums(t: Tables) -> None:
     """Begin a tick: nothing has been exerted yet."""
     t.braces.sizes[5] = 0

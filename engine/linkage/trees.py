@@ -97,30 +97,28 @@ def fill_trees(t: Tables, trees: list[Tree], movable: set[int], row_of: dict[int
     """Fill the tables of all trees; say of each body which bone it is."""
     order = sorted((limb for tree in trees for limb in tree.limbs), key=lambda x: (-x.depth, x[1:]))
     roots = {tree.root: number for number, tree in enumerate(trees) if tree.root in movable}
-    held = sorted({tree.root for tree in trees} - movable)
-    bodies = [*(limb.child for limb in order), *roots, *held]
-    bone_of = {body: bone for bone, body in enumerate(bodies)}
-    bones, limbs = allocate(Bones, max(7, len(bodies))), allocate(Limbs, max(1, len(order)))
+    held = [number for number, tree in enumerate(trees) if tree.root not in movable]
+    tree_of_bone = [*(limb.tree for limb in order), *roots.values(), *held]
+    bodies = [*(limb.child for limb in order), *roots, *(trees[number].root for number in held)]
+    bone_of = {(tree_of_bone[bone], body): bone for bone, body in enumerate(bodies)}
+    bones, limbs = allocate(Bones, max(8, len(bodies))), allocate(Limbs, max(1, len(order)))
     sizes = (len(order), len(bodies) - len(held), len(bodies), len(trees))
     np.asarray(bones.sizes)[:4] = sizes
     np.asarray(t.bodies.bone)[:] = 0
-    tree_of_root = list(roots.values()) + [0] * len(held)
     for bone, body in enumerate(bodies):
         bones.body[bone] = body
-        bones.tree[bone] = (
-            order[bone].tree if bone < len(order) else tree_of_root[bone - len(order)]
-        )
+        bones.tree[bone] = tree_of_bone[bone]
         if bone < sizes[1]:
             t.bodies.bone[body] = bone + 1
     for k, limb in enumerate(order):
-        _fill_limb(t, limbs, k, limb, bone_of[limb.parent], row_of)
+        _fill_limb(t, limbs, k, limb, bone_of[limb.tree, limb.parent], row_of)
     table, place = allocate(Trees, max(1, len(trees))), 0
     for number, tree in enumerate(trees):
         table.first[number], table.limbs[number] = place, len(tree.limbs)
-        table.root[number] = bone_of[tree.root] if tree.root in roots else -1
+        table.root[number] = bone_of[number, tree.root] if tree.root in roots else -1
         if tree.root not in movable:
-            _hang(limbs, tree, bone_of)
-        for bone in sorted(bone_of[limb.child] for limb in tree.limbs):
+            _hang(limbs, tree, {limb.child: bone_of[number, limb.child] for limb in tree.limbs})
+        for bone in sorted(bone_of[number, limb.child] for limb in tree.limbs):
             limbs.member[place] = bone
             place += 1
     return t._replace(limbs=views(limbs), bones=views(bones), trees=views(table))

@@ -2,7 +2,7 @@
 
 from engine.linkage.geometry import aim, place_nodes
 from engine.linkage.impulses import add_up, lend, noted_impulse, solve_for, take
-from engine.linkage.limb_velocities import ease_limbs, keep_limb_ends, prepare_limbs
+from engine.linkage.limb_velocities import keep_limb_ends, prepare_limbs
 from engine.linkage.modes import DRIVEN, ELASTIC, STRAINED, coordinate_row
 from engine.linkage.skyline import assemble, factorise, solve
 from engine.tables import Tables
@@ -11,12 +11,9 @@ MOST_CHANGES = 30
 """How often limits and motors may change their minds in one instant."""
 
 
-def prepare_ease(t: Tables, resting: int, part: float, done: float) -> None:
-    """Prepare the joints for the end of a part (s), of which the share `done` has passed.
-
-    `resting` pairs of bodies take part.
-    """
-    prepare_limbs(t, part if resting > 0 and done == 1.0 else 0.0)
+def prepare_ease(t: Tables, part: float, done: float) -> None:
+    """Prepare the joints for the end of a part (s), of which the share `done` has passed."""
+    prepare_limbs(t)
     if t.braces.sizes[0] == 0:
         return
     joints = t.joints
@@ -39,10 +36,11 @@ def prepare_ease(t: Tables, resting: int, part: float, done: float) -> None:
 
 
 def ease(t: Tables) -> float:
-    """Make velocities obey the constraints; return how fast they did not before (1/s)."""
-    of_limbs = ease_limbs(t)
+    """Make velocities obey the constraints, those of trees of hinges apart; return how fast they
+    did not before (1/s).
+    """
     if t.braces.sizes[0] == 0:
-        return of_limbs
+        return 0.0
     gather_ends(t)
     failed = 0.0
     for step in range(MOST_CHANGES):
@@ -54,12 +52,12 @@ def ease(t: Tables) -> float:
             break
         renew(t)
     deliver_ends(t)
-    return failed if failed > of_limbs else of_limbs
+    return failed
 
 
-def keep_ends(t: Tables, part: float, done: float) -> None:
+def keep_ends(t: Tables, part: float, done: float, steady: bool) -> None:
     """Note what the joints exert at the end of a part (s), of which the share `done` has passed."""
-    keep_limb_ends(t, part, done)
+    keep_limb_ends(t, part, done, steady)
     add_up(t)
 
 

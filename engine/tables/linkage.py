@@ -263,21 +263,33 @@ class Limbs(NamedTuple):
     given_x: Floats
     """Of that, what the bodies already got."""
     given_y: Floats
+    goal_x: Floats
+    """Velocity that sweeps give to the hinge of the child past that of the parent (m/s)."""
+    goal_y: Floats
+    grip_xx: Floats
+    """What resists that, as if no other hinge held the two (kg)."""
+    grip_xy: Floats
+    grip_yy: Floats
+    turn: Floats
+    """Angular impulse that it gives to the child all through the part (N m s)."""
+    counter: Floats
+    """The same that it takes from the parent."""
 
 
 class Bones(NamedTuple):
     """One row a body in a tree: first the children of `Limbs`, in their order, then the roots that
-    are free, then those that are held: immovable bodies, and the world.
+    are free, then those that are held: immovable bodies, and the world, one for each tree on them.
     """
 
     body: Ints
     """Row in `Bodies`, -1 for the world."""
     tree: Ints
-    """Row in `Trees`; of no use for those that are held."""
+    """Row in `Trees`."""
     sizes: Ints
     """How many limbs, movable bones, bones and trees there are, and whether the limbs are placed
     for the poses in which the bodies are now; how many trees are lost; and whether the limbs are
-    resolved for the end of the present part (a list of its own)."""
+    resolved for the end of the present part; on how many trees contacts act (a list of its
+    own)."""
     mass: Floats
     """(kg)"""
     inverse_mass: Floats
@@ -299,6 +311,8 @@ class Bones(NamedTuple):
     """What joints add to it (m/s)."""
     lent_y: Floats
     lent_spin: Floats
+    lasts: Floats
+    """How long it goes on so, from where it was placed to the end of the part (s)."""
     way_x: Floats
     """From there to the end of the part (m)."""
     way_y: Floats
@@ -323,6 +337,13 @@ class Bones(NamedTuple):
     sum_x: Floats
     """What joints added to its velocity at the start of the part in all (m/s)."""
     sum_y: Floats
+    late_x: Floats
+    """What they added since, as they were struck (m/s); times when (m), times that again (m s)."""
+    late_y: Floats
+    late_once_x: Floats
+    late_once_y: Floats
+    late_twice_x: Floats
+    late_twice_y: Floats
     step_x: Floats
     """Change of its velocity: the solution (m/s)."""
     step_y: Floats
@@ -337,6 +358,8 @@ class Trees(NamedTuple):
     limbs: Ints
     root: Ints
     """Row in `Bones` of its root if that is free, else -1."""
+    evenly: Ints
+    """1 if contacts act on it in the present part: its hinges then act like them, all through it."""
     does: Ints
     """What the next step of Newton's method does: see `linkage.limbs`."""
     worst: Floats

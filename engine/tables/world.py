@@ -211,7 +211,7 @@ ROWS = {
     "joints": 4,
     "braces": 8,
     "nodes": 2,
-    "bones": 7,
+    "bones": 8,
 }
 """Rows that the tables of a new world have room for; those that are not named have one."""
 
