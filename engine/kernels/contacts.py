@@ -23,7 +23,7 @@ from engine.linkage.limb_motion import bind_limbs
 from engine.linkage.limb_sweeps import sweep_all, sweep_all_until_calm, turn_limbs_by_shift
 from engine.linkage.limb_velocities import ease_limbs
 from engine.linkage.positions import bind, brace, follow_joints, keep_impulses
-from engine.linkage.tally import joints_act, joints_jolt
+from engine.linkage.tally import joints_jolt
 from engine.linkage.velocities import ease, keep_ends, prepare_ease
 from engine.tables import RESTING, Tables
 
@@ -55,7 +55,7 @@ they were: what they still exchange is as little."""
 
 WILD_SWEEPS = 4
 """Sweeps after which contacts that are still wild are left as they are, as bodies tumble; not where
-joints act, whose strain would grow."""
+joints act that are no hinges of trees, whose strain would grow."""
 
 WILD = 0.2
 """A sweep that changes a contact's velocity by more is wild, in the same unit."""
@@ -83,7 +83,7 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
         harden(t, resting)
     warm_start(t, resting)
     t.progress.sweeps[0] = 2 * MOST_SWEEPS if is_uneven(t, resting) else MOST_SWEEPS
-    gives_up = not violent and not joints_act(t)
+    gives_up = not violent and t.braces.sizes[0] == 0
     for i in range(1, (PATIENT_SWEEPS if violent else t.progress.sweeps[0]) + 1):
         last = gives_up and i == WILD_SWEEPS
         changed = sweep_all(t, resting, WILD if last else CALM, i % 2 == 0)
@@ -109,9 +109,9 @@ def is_violent(t: Tables, resting: int) -> bool:
     joined = t.bodies.joined
     for k in range(resting):
         pair = pairs.resting[k]
-        if pairs.carried[pair] > VIOLENT * pairs.size[pair]:
-            if joined[pairs.a[pair]] == 0 and joined[pairs.b[pair]] == 0:
-                return True
+        free = joined[pairs.a[pair]] == 0 and joined[pairs.b[pair]] == 0
+        if free and pairs.carried[pair] > VIOLENT * pairs.size[pair]:
+            return True
     return False
 
 
@@ -158,7 +158,7 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
     else:
         violent = is_violent(t, left)
         polish = CALM if violent else FINE
-        gives_up = not violent and not joints_act(t)
+        gives_up = not violent and t.braces.sizes[0] == 0
         for i in range(1, (PATIENT_SWEEPS if violent else t.progress.sweeps[0]) + 1):
             last = gives_up and i == WILD_SWEEPS
             changed = sweep_all(t, left, WILD if last else polish, i % 2 == 1)

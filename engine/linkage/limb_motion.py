@@ -334,7 +334,7 @@ def step_limb(t: Tables, k: int, back: bool) -> None:
 
 
 def keep_limb_impulses(t: Tables, part: float) -> None:
-    """Note what the limbs exert at the start of the part (s), or through it, once that is settled."""
+    """Note what the limbs exert at the start of the part (s), or all through it."""
     joints = t.joints
     limbs = t.limbs
     twice = 2.0 / part

@@ -359,7 +359,7 @@ class Trees(NamedTuple):
     root: Ints
     """Row in `Bones` of its root if that is free, else -1."""
     evenly: Ints
-    """1 if contacts act on it in the present part: its hinges then act like them, all through it."""
+    """1 if contacts act on it in the present part: its hinges then do so too, all through it."""
     does: Ints
     """What the next step of Newton's method does: see `linkage.limbs`."""
     worst: Floats
