@@ -2,8 +2,9 @@
 
 Kernels say `t.bodies.x[row]`. Interpreted, these are named tuples of memoryviews. Compiled, every
 table is the same pointer to one array of addresses, its *directory*; `.x` loads the address that
-stands at the place of that column, and `[row]` loads eight bytes from there. Nothing is counted,
-checked or wrapped around, and a call from Python hands over a single number.
+stands at the place of that column, and `[row]` loads eight bytes from there. Columns whose rows lie
+side by side share the address of the first one. Nothing is counted, checked or wrapped around, and
+a call from Python hands over a single number.
 """
 
 import operator
@@ -42,7 +43,7 @@ from numba.extending import (
 
 from engine.kernels import tick
 from engine.settings import Laws
-from engine.tables import Floats, Ints, Tables, clear_row, copy_row
+from engine.tables import Floats, Ints, Tables, clear_row, copy_row, side_by_side
 
 WORD = ir.IntType(64)
 SCALARS = {float: types.float64, int: types.int64}
@@ -51,12 +52,16 @@ MACHINE = {types.float64: ir.DoubleType(), types.int64: WORD}
 
 
 class Column(types.Type):
-    """A pointer to the first of contiguous float64 or int64."""
+    """A pointer to the first of evenly spaced float64 or int64."""
 
-    def __init__(self, name: str, kind: Any) -> None:
+    def __init__(self, name: str, kind: Any, shift: int, stride: int) -> None:
         super().__init__(f"Column({name})")
         self.column = name
         self.kind = kind
+        self.shift = shift
+        """Where it begins, from the address in the directory (words)."""
+        self.stride = stride
+        """From one row to the next (words)."""
 
 
 class Handle(types.Type):
@@ -73,9 +78,14 @@ def members(part: Any, first: int) -> dict[str, tuple[Any, int]]:
     """For each member of a table or tuple of tables: what it is, and its word in the directory."""
     found: dict[str, tuple[Any, int]] = {}
     at = first
+    together = side_by_side(part)
+    start = first + part._fields.index(together[0]) if together else first
     for name, kind in get_type_hints(part).items():
         if kind in COLUMNS:
-            found[name] = (Column(f"{part.__name__}.{name}", COLUMNS[kind]), at)
+            shared = name in together
+            shift, stride = (together.index(name), len(together)) if shared else (0, 1)
+            column = Column(f"{part.__name__}.{name}", COLUMNS[kind], shift, stride)
+            found[name] = (column, start if shared else at)
         elif kind in SCALARS:
             found[name] = (SCALARS[kind], at)
         else:
@@ -127,7 +137,16 @@ def load_member(context: Any, builder: Any, handle: Handle, value: Any, name: st
     machine = MACHINE[kind.kind].as_pointer() if isinstance(kind, Column) else MACHINE[kind]
     loaded = builder.load(builder.bitcast(place, machine.as_pointer()))
     loaded.set_metadata("invariant.load", builder.module.add_metadata([]))
+    if isinstance(kind, Column) and kind.shift > 0:
+        return builder.gep(loaded, [WORD(kind.shift)], inbounds=True)
     return loaded
+
+
+def place_of(builder: Any, column: Column, start: Any, row: Any) -> Any:
+    """The address of a row of a column."""
+    if column.stride > 1:
+        row = builder.mul(row, WORD(column.stride), flags=("nsw",))
+    return builder.gep(start, [row], inbounds=True)
 
 
 @infer_global(operator.getitem)
@@ -164,14 +183,14 @@ def own_memory(builder: Any, access: Any, column: Column) -> Any:
 @lower_builtin(operator.getitem, Column, types.intp)
 def read(context: Any, builder: Any, sig: Any, args: Any) -> Any:
     """Load eight bytes."""
-    place = builder.gep(args[0], [args[1]], inbounds=True)
+    place = place_of(builder, sig.args[0], args[0], args[1])
     return own_memory(builder, builder.load(place), sig.args[0])
 
 
 @lower_builtin(operator.setitem, Column, types.intp, types.Any)
 def write(context: Any, builder: Any, sig: Any, args: Any) -> Any:
     """Store eight bytes."""
-    place = builder.gep(args[0], [args[1]], inbounds=True)
+    place = place_of(builder, sig.args[0], args[0], args[1])
     own_memory(builder, builder.store(args[2], place), sig.args[0])
     return context.get_dummy_value()
 
@@ -204,7 +223,7 @@ def directory(tables: Tables, laws: Laws) -> Any:
 
 def address_of(column: Any) -> int:
     """Where the numbers of a column begin."""
-    return int(np.frombuffer(column, np.uint8).ctypes.data) if len(column) else 0
+    return int(np.asarray(column).ctypes.data) if len(column) else 0
 
 
 @infer_global(copy_row)
@@ -220,8 +239,8 @@ def copy(context: Any, builder: Any, sig: Any, args: Any) -> Any:
     """Copy a row, column by column."""
     for name, (column, _) in members(sig.args[0].part, sig.args[0].first).items():
         start = load_member(context, builder, sig.args[0], args[0], name)
-        source = builder.gep(start, [args[1]], inbounds=True)
-        target = builder.gep(start, [args[2]], inbounds=True)
+        source = place_of(builder, column, start, args[1])
+        target = place_of(builder, column, start, args[2])
         value = own_memory(builder, builder.load(source), column)
         own_memory(builder, builder.store(value, target), column)
     return context.get_dummy_value()
@@ -240,7 +259,7 @@ def clear(context: Any, builder: Any, sig: Any, args: Any) -> Any:
     """Clear a row, column by column."""
     for name, (column, _) in members(sig.args[0].part, sig.args[0].first).items():
         start = load_member(context, builder, sig.args[0], args[0], name)
-        place = builder.gep(start, [args[1]], inbounds=True)
+        place = place_of(builder, column, start, args[1])
         zero = ir.Constant(MACHINE[column.kind], 0)
         own_memory(builder, builder.store(zero, place), column)
     return context.get_dummy_value()

@@ -131,6 +131,7 @@ DERIVED = (
     "bodies.links",
     "bodies.joined",
     "bodies.cluster",
+    "bodies.stirred",
     "bodies.bone",
     "pairs.queue",
     "pairs.resting",

@@ -18,12 +18,12 @@ from engine.kernels.following import (
     turning,
 )
 from engine.kernels.parting import part_gently
-from engine.kernels.sweeps import warm_start
+from engine.kernels.sweeps import ALL, QUIET, WILD, warm_start
 from engine.linkage.limb_motion import bind_limbs
 from engine.linkage.limb_sweeps import sweep_all, sweep_all_until_calm, turn_limbs_by_shift
 from engine.linkage.limb_velocities import ease_limbs
 from engine.linkage.positions import bind, brace, follow_joints, keep_impulses
-from engine.linkage.tally import joints_jolt
+from engine.linkage.tally import joints_act, joints_jolt
 from engine.linkage.velocities import ease, keep_ends, prepare_ease
 from engine.tables import RESTING, Tables
 
@@ -57,8 +57,16 @@ WILD_SWEEPS = 4
 """Sweeps after which contacts that are still wild are left as they are, as bodies tumble; not where
 joints act that are no hinges of trees, whose strain would grow."""
 
-WILD = 0.2
-"""A sweep that changes a contact's velocity by more is wild, in the same unit."""
+CROWD = 64
+"""Contacts from which on sweeps pass over what is calm, and are taken in turns; see `sweeps`."""
+
+CROWD_SWEEPS = 5
+"""Sweeps of a crowd at most to relax, unless heavy bodies rest on light ones: in turns, that calms
+it as well as `MOST_SWEEPS` from one end to the other."""
+
+CALM_SWEEPS = 2
+"""A crowd whose contacts take more sweeps to be calm is restless: it relaxes no further than to be
+calm."""
 
 FINE = 1e-5
 """As `CALM`, to relax: sweeps without the spring also calm what rocks as a whole, of which each
@@ -76,6 +84,7 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
             bodies.kick_x[row] = bodies.vx[row] + ax * part
             bodies.kick_y[row] = bodies.vy[row] + ay * part
             bodies.kick_spin[row] = bodies.spin[row] + bodies.aspin[row] * part
+            bodies.stirred[row] = 0
             if (abs(ax) + abs(ay)) * part > VIOLENT * bodies.reach[row]:
                 violent = True
     brace(t, part)
@@ -84,11 +93,14 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
     warm_start(t, resting)
     t.progress.sweeps[0] = 2 * MOST_SWEEPS if is_uneven(t, resting) else MOST_SWEEPS
     gives_up = not violent and t.braces.sizes[0] == 0
+    crowded = resting >= CROWD and not violent and not joints_act(t)
+    t.progress.restless[0] = 0
     for i in range(1, (PATIENT_SWEEPS if violent else t.progress.sweeps[0]) + 1):
-        last = gives_up and i == WILD_SWEEPS
-        changed = sweep_all(t, resting, WILD if last else CALM, i % 2 == 0)
+        found = sweep_all(t, resting, CALM, i % 2 == 0, i if crowded else ALL)
         failed = bind(t, part)
-        if changed == last and (resting == 0 or failed <= CALM):
+        if crowded and i > CALM_SWEEPS:
+            t.progress.restless[0] = 1
+        if has_settled(found, gives_up and i == WILD_SWEEPS) and (resting == 0 or failed <= CALM):
             break
     bind_limbs(t, part)
     keep_impulses(t, part)
@@ -98,6 +110,11 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
             bodies.path_y[row] = (bodies.kick_y[row] - bodies.vy[row]) / part
             bodies.path_spin[row] = (bodies.kick_spin[row] - bodies.spin[row]) / part
             note_part(bodies, row)
+
+
+def has_settled(found: int, last: bool) -> bool:
+    """Whether what a sweep found ends the sweeps: quiet, or still wild in the last for the wild."""
+    return found == WILD if last else found == QUIET
 
 
 def is_violent(t: Tables, resting: int) -> bool:
@@ -136,6 +153,7 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
             bodies.kick_x[row] = bodies.vx[row]
             bodies.kick_y[row] = bodies.vy[row]
             bodies.kick_spin[row] = bodies.spin[row]
+            bodies.stirred[row] = 0
             bodies.middle_x[row] = bodies.x[row]
             bodies.middle_y[row] = bodies.y[row]
             bodies.middle_angle[row] = bodies.angle[row]
@@ -157,13 +175,16 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
         still = sweep_all_until_calm(t, left, 2 * STEADY_SWEEPS, STILL)
     else:
         violent = is_violent(t, left)
-        polish = CALM if violent else FINE
+        polish = CALM if violent or t.progress.restless[0] == 1 else FINE
         gives_up = not violent and t.braces.sizes[0] == 0
-        for i in range(1, (PATIENT_SWEEPS if violent else t.progress.sweeps[0]) + 1):
-            last = gives_up and i == WILD_SWEEPS
-            changed = sweep_all(t, left, WILD if last else polish, i % 2 == 1)
+        crowded = left >= CROWD and not violent and not joints_act(t)
+        most = PATIENT_SWEEPS if violent else t.progress.sweeps[0]
+        if crowded and most == MOST_SWEEPS:
+            most = CROWD_SWEEPS
+        for i in range(1, most + 1):
+            found = sweep_all(t, left, polish, i % 2 == 1, i if crowded else ALL)
             failed = ease(t)
-            if changed == last and (left == 0 or failed <= CALM):
+            if has_settled(found, gives_up and i == WILD_SWEEPS) and (left == 0 or failed <= CALM):
                 break
     ease_limbs(t)
     part_gently(t, left, part * done)

@@ -6,7 +6,7 @@ impact; there is no speed below which bodies do not bounce.
 """
 
 from engine.kernels.circles import stillness, wall_of
-from engine.kernels.contacts import kick
+from engine.kernels.contacts import CROWD, kick
 from engine.kernels.following import TUMBLING, find_points, follow, has_drifted, turning
 from engine.kernels.impacts import acceleration, stays, strike
 from engine.kernels.meeting import NOWHERE, approach_at, notice_passing, slides_over
@@ -14,6 +14,7 @@ from engine.kernels.parting import PUSH
 from engine.kernels.sleeping import wake
 from engine.kernels.spring import frequency, softness, softness_left
 from engine.kernels.steady import let_go
+from engine.kernels.sweeps import interleave
 from engine.kernels.touches import collect_last_part, leave, touch
 from engine.linkage.tally import joints_act
 from engine.tables import FREE, IMPACTS_AT_ONCE, RESTING, Tables
@@ -64,6 +65,8 @@ def settle(t: Tables, count: int, pair_count: int, shortest: float) -> int:
         if pairs.state[pair] == RESTING:
             pairs.resting[resting] = pair
             resting += 1
+    if resting >= CROWD and not joints_act(t):
+        interleave(t, resting)
     if resting > 0 or t.progress.straight[0] == 0:
         count_holds(t, count, resting)
     return resting

@@ -2,10 +2,44 @@
 
 Each sweep brings the impulses nearer to those that suit all (projected Gauss-Seidel: Erin Catto,
 "Iterative dynamics with temporal coherence", 2005). They start from those of the part before.
+
+In a crowd, sweeps after the first pass over contacts between bodies that nothing has stirred since:
+what is calm there stays calm.
 """
 
 from engine.kernels.rubbing import outruns_forces, resist_rolling
 from engine.tables import Tables
+
+QUIET, STIRRED, WILD = 0, 1, 2
+"""What a sweep found: no change that counts, some, at least one that is wild."""
+
+WILDLY = 0.2
+"""A change of a contact's velocity by more is wild, in reaches of the smaller body a second."""
+
+STREAMS = 4
+"""Into so many parts the list of pairs is divided."""
+
+ALL = 0
+"""Number of a sweep that passes over nothing."""
+
+
+def interleave(t: Tables, resting: int) -> None:
+    """Reorder the pairs that rest: of each quarter of the list one in turn.
+
+    Neighbours in the list mostly share a body, so that a processor must wait for one to begin with
+    the other; those of different quarters hardly ever do.
+    """
+    order = t.pairs.queue  # nothing is queued while pairs are listed
+    listed = t.pairs.resting
+    length = (resting + STREAMS - 1) // STREAMS
+    placed = 0
+    for k in range(length):
+        for start in range(0, resting, length):
+            if start + k < resting:
+                order[placed] = listed[start + k]
+                placed += 1
+    for k in range(resting):
+        listed[k] = order[k]
 
 
 def warm_start(t: Tables, resting: int) -> None:
@@ -51,15 +85,24 @@ def warm_start(t: Tables, resting: int) -> None:
             kick_spin[b] += bodies.inverse_inertia[b] * turn_b
 
 
-def sweep(t: Tables, resting: int, calm: float, backwards: bool) -> bool:
+def sweep(t: Tables, resting: int, calm: float, backwards: bool, number: int) -> int:
     """Solve each resting pair once, along the normal, then against the sliding and the rolling.
 
     What slides faster than static friction can stop is braked by kinetic friction. Sweeps go to and
     fro in turn: what comes first gives way more than what comes last, and heaps would lean.
 
-    Returns whether a normal velocity changed by more than `calm` (reaches a second).
+    Args:
+        t: the tables.
+        resting: number of pairs.
+        calm: change of a normal velocity that does not count (reaches a second).
+        backwards: whether to begin with the last pair.
+        number: 1 for the first sweep of several, and so on, if pairs that nothing stirred in the
+            sweep before and in this one may be passed over; else `ALL`.
+
+    Returns how normal velocities changed: `QUIET`, `STIRRED` or `WILD`.
     """
     bodies = t.bodies
+    stirred = bodies.stirred
     pairs = t.pairs
     kick_x = bodies.kick_x
     kick_y = bodies.kick_y
@@ -74,7 +117,8 @@ def sweep(t: Tables, resting: int, calm: float, backwards: bool) -> bool:
     hardness = t.contacts.hardness
     softness = t.contacts.softness
     tangent_mass = t.contacts.tangent_mass
-    wild = False
+    found = QUIET
+    wilder = WILDLY / calm
     onwards = -1 if backwards else 1
     k = resting if backwards else -1
     for _ in range(resting):
@@ -82,6 +126,9 @@ def sweep(t: Tables, resting: int, calm: float, backwards: bool) -> bool:
         pair = pairs.resting[k]
         a = pairs.a[pair]
         b = pairs.b[pair]
+        if number > 1 and stirred[a] < number - 1 and stirred[b] < number - 1:
+            continue
+        stirs = False
         nx = pairs.normal_x[pair]
         ny = pairs.normal_y[pair]
         grip = pairs.static_friction[pair]
@@ -120,7 +167,11 @@ def sweep(t: Tables, resting: int, calm: float, backwards: bool) -> bool:
             spin_b += turn_b * arm_b * change
             most = still * hardness[row]
             if change > most or -change > most:
-                wild = True
+                stirs = True
+                if found == QUIET:
+                    found = STIRRED
+                if change > wilder * most or -change > wilder * most:
+                    found = WILD
         if grip > 0.0:
             sliding += pairs.belt_speed[pair]
             slips = grip > friction
@@ -139,6 +190,9 @@ def sweep(t: Tables, resting: int, calm: float, backwards: bool) -> bool:
                 tangent_impulse[row] = after
                 change = after - before
                 rub += change
+                most = still * tangent_mass[row]
+                if change > most or -change > most:
+                    stirs = True
                 sliding += mass * change
                 spin_a -= turn_a * arm_a * change
                 spin_b += turn_b * arm_b * change
@@ -162,4 +216,9 @@ def sweep(t: Tables, resting: int, calm: float, backwards: bool) -> bool:
         kick_x[b] += mass_b * x
         kick_y[b] += mass_b * y
         kick_spin[b] = spin_b
-    return wild
+        if stirs and number != ALL:
+            if mass_a > 0.0:
+                stirred[a] = number
+            if mass_b > 0.0:
+                stirred[b] = number
+    return found

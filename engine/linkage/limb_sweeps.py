@@ -8,7 +8,7 @@ nothing else held its two bodies, then one contact after the other (sequential i
 of the error of hinges is taken by an exact solution (`limb_motion`, `limb_velocities`).
 """
 
-from engine.kernels.sweeps import sweep
+from engine.kernels.sweeps import ALL, QUIET, STIRRED, WILD, WILDLY, sweep
 from engine.linkage.jolts import jolt
 from engine.linkage.limb_impulses import deliver_starts, forget_jolts, lend_all, read_own
 from engine.linkage.limbs import place_bone, place_limb
@@ -125,14 +125,16 @@ def grip(t: Tables, k: int) -> None:
     limbs.grip_yy[k] = xx * scale
 
 
-def sweep_all(t: Tables, resting: int, calm: float, backwards: bool) -> bool:
+def sweep_all(t: Tables, resting: int, calm: float, backwards: bool, number: int) -> int:
     """Solve each hinge of a tree on which contacts act once, then each resting pair.
 
-    Returns whether a velocity changed by more than `calm` (reaches a second).
+    Returns how velocities changed, as `sweep` does, which also says what the arguments are.
     """
-    moved = t.bones.sizes[7] > 0 and sweep_limbs(t, calm, backwards)
-    wild = sweep(t, resting, calm, backwards)
-    return wild or moved
+    moved = QUIET
+    if t.bones.sizes[7] > 0:
+        moved = sweep_limbs(t, calm, backwards)
+    found = sweep(t, resting, calm, backwards, number)
+    return moved if moved > found else found
 
 
 def sweep_all_until_calm(t: Tables, resting: int, most: int, calm: float) -> bool:
@@ -140,15 +142,16 @@ def sweep_all_until_calm(t: Tables, resting: int, most: int, calm: float) -> boo
     it became calm.
     """
     for i in range(most):  # noqa: SIM110, a loop that can be compiled
-        if not sweep_all(t, resting, calm, i % 2 == 0):
+        if sweep_all(t, resting, calm, i % 2 == 0, ALL) == QUIET:
             return True
     return False
 
 
-def sweep_limbs(t: Tables, calm: float, backwards: bool) -> bool:
+def sweep_limbs(t: Tables, calm: float, backwards: bool) -> int:
     """Solve each hinge of a tree on which contacts act once; sweeps go to and fro in turn.
 
-    Returns whether the velocity of one changed by more than `calm` (sizes of joints a second).
+    Returns whether one moved faster than `calm` (sizes of joints a second): `QUIET`, `STIRRED` or
+    `WILD`.
     """
     bones = t.bones
     limbs = t.limbs
@@ -200,7 +203,9 @@ def sweep_limbs(t: Tables, calm: float, backwards: bool) -> bool:
             kick_y[parent_row] -= bones.inverse_mass[parent] * push_y
             turn = lever_x * push_y - lever_y * push_x
             kick_spin[parent_row] -= bones.inverse_inertia[parent] * turn
-    return worst > calm * calm
+    if worst > WILDLY * WILDLY:
+        return WILD
+    return STIRRED if worst > calm * calm else QUIET
 
 
 def keep_evenly(t: Tables, k: int) -> None:

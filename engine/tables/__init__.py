@@ -16,6 +16,7 @@ from engine.tables.columns import (
     copy_row,
     grow,
     remove_rows,
+    side_by_side,
     sort_rows,
     views,
 )
@@ -102,6 +103,7 @@ __all__ = [
     "grow",
     "new_tables",
     "remove_rows",
+    "side_by_side",
     "sort_rows",
     "views",
 ]

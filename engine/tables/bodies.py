@@ -150,6 +150,8 @@ class Bodies(NamedTuple):
     middle_y: Floats
     middle_angle: Floats
     """(rad)"""
+    stirred: Ints
+    """Last sweep over contacts that changed its velocity by more than counts; see `sweeps`."""
     shift_x: Floats
     """Mean position over the present part, less that for which contacts were solved (m)."""
     shift_y: Floats

@@ -7,6 +7,23 @@ import numpy as np
 LINE = 8
 """Numbers in a line of a processor's cache."""
 
+SIDE_BY_SIDE = {
+    "Pairs": (
+        "piece_a", "piece_b", "restitution", "friction", "static_friction",
+        "rolling_resistance", "belt_speed", "rolling_torque", "normal_x", "normal_y", "points",
+        "booked_rolling", "acting", "carried", "part", "steady", "seen_x", "seen_y",
+        "seen_angle_a", "seen_angle_b", "drift", "touched", "touched_before", "given_x",
+        "given_y", "hit_x", "hit_y", "bounces",
+    ),
+    "Contacts": (
+        "feature", "gap", "normal_arm_a", "tangent_arm_a", "normal_arm_b", "tangent_arm_b",
+        "normal_mass", "tangent_mass", "target", "hardness", "softness", "normal_impulse",
+        "tangent_impulse", "normal_load", "tangent_load", "booked_normal", "booked_tangent",
+    ),
+}  # fmt: skip
+"""Columns, by table and in order, of which the numbers of a row lie side by side in memory: kernels
+read them together, of a row here and there."""
+
 
 class Floats(Protocol):
     """A column of float64."""
@@ -48,17 +65,27 @@ def allocate(table: type[Table], rows: int) -> Table:
 
     The columns lie in one block of memory, an odd number of cache lines apart: if it were a power
     of two, as rows often are, the same row of all columns would compete for the same few places in
-    the cache of a processor.
+    the cache of a processor. Of columns in `SIDE_BY_SIDE`, the numbers of a row lie together
+    instead.
     """
     fields: tuple[str, ...] = getattr(table, "_fields")  # noqa: B009, bound to a plain tuple
     kinds = get_type_hints(table)
+    together = side_by_side(table)
+    apart = [name for name in fields if name not in together]
     lines = (rows + LINE - 1) // LINE | 1
-    block = np.zeros((len(fields), lines * LINE), np.int64)
-    columns = [
-        column[:rows] if kinds[name] is Ints else column[:rows].view(np.float64)
-        for name, column in zip(fields, block, strict=True)
-    ]
-    return table(*columns)
+    columns = dict(zip(apart, np.zeros((len(apart), lines * LINE), np.int64), strict=True))
+    columns |= dict(zip(together, np.zeros((rows, len(together)), np.int64).T, strict=True))
+    return table(
+        *(
+            columns[name][:rows] if kinds[name] is Ints else columns[name][:rows].view(np.float64)
+            for name in fields
+        )
+    )
+
+
+def side_by_side(table: Any) -> tuple[str, ...]:
+    """The columns of a table of which the numbers of a row lie side by side in memory, in order."""
+    return SIDE_BY_SIDE.get(table.__name__, ())
 
 
 def grow(table: Table, rows: int) -> Table:

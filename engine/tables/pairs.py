@@ -18,7 +18,10 @@ IMPACTS_AT_ONCE = 4096
 
 
 class Pairs(NamedTuple):
-    """One row two pieces of two bodies whose boxes overlap, sorted by (piece_a, piece_b)."""
+    """One row two pieces of two bodies whose boxes overlap, sorted by (piece_a, piece_b).
+
+    What only pairs have that touch lies side by side; through the rest kernels go pair by pair.
+    """
 
     a: Ints
     """Rows of `Bodies`, a < b."""

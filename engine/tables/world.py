@@ -140,6 +140,8 @@ class Progress(NamedTuple):
     """Parts in a row that ended as they began; see `resting.STALLS`."""
     sweeps: Ints
     """Sweeps over resting contacts that a part has at most."""
+    restless: Ints
+    """1 if a crowd rests in the present part and did not become calm at once; see `contacts`."""
     recording: Ints
     """Which columns of `Tracks` to write, one bit each; 0: none."""
     moment: Ints
