@@ -71,11 +71,11 @@ class Remote:
     def __init__(self, module: str, name: str, part: Path, film: Film) -> None:
         """Let a worker make the encoder `name` of `module`; raises what that raises."""
         slots = max(1, min(SLOTS, WAITING // (4 * film.width * film.height)))
-        self._worker = _idle.pop() if _idle else WorkerProcess(module)
-        self._slots = self._worker.share(slots, film)
+        self._worker = _any_worker(module)
         self._sent = 0
         self._finished = False
         try:
+            self._slots = self._worker.share(slots, film)
             self._worker.send(Begin(module, name, part, film, slots))
             self._worker.hear()
         except BaseException:
@@ -130,6 +130,11 @@ class WorkerProcess:
         self.owes = 0
         """Answers that are still to come."""
 
+    @property
+    def lives(self) -> bool:
+        """Whether it has not ended."""
+        return self._process.poll() is None
+
     def share(self, slots: int, film: Film) -> NDArray[np.uint32]:
         """Shared memory for so many pictures of a film."""
         os.ftruncate(self._memory, 4 * slots * film.height * film.width)
@@ -182,6 +187,16 @@ def _memory() -> int:
 
 _idle: list[WorkerProcess] = []
 """Workers without a film."""
+
+
+def _any_worker(module: str) -> WorkerProcess:
+    """One that is idle, or a new one; raises OSError."""
+    while _idle:
+        worker = _idle.pop()
+        if worker.lives:
+            return worker
+        worker.leave()
+    return WorkerProcess(module)
 
 
 def prepare_workers(modules: Sequence[str]) -> None:

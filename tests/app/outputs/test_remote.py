@@ -121,6 +121,16 @@ def test_prepared_workers_are_used(tmp_path: Path, film: Film) -> None:
     sink.close()
 
 
+def test_a_worker_that_ended_while_it_was_idle_is_not_used(tmp_path: Path, film: Film) -> None:
+    remote.prepare_workers(["app.outputs.gif"])
+    (prepared,) = remote._idle
+    prepared._process.kill()
+    prepared._process.wait()
+    sink, pid = begun(tmp_path / "a.gif", film)
+    assert pid != prepared._process.pid
+    sink.close()
+
+
 def test_what_an_encoder_refuses_at_first_is_told_at_once(tmp_path: Path, film: Film) -> None:
     part = tmp_path / "no such folder" / "part"
     with pytest.raises(OSError, match="No such file or directory"):
