@@ -61,8 +61,11 @@ CROWD = 64
 """Contacts from which on sweeps pass over what is calm, and are taken in turns; see `sweeps`."""
 
 CROWD_SWEEPS = 5
-"""Sweeps of a crowd at most to relax, unless heavy bodies rest on light ones: in turns, that calms
-it as well as `MOST_SWEEPS` from one end to the other."""
+"""Sweeps of a crowd at most, unless heavy bodies rest on light ones: in turns, that calms it as
+well as `MOST_SWEEPS` from one end to the other."""
+
+CROWD_WILD = 3
+"""The same for `WILD_SWEEPS`."""
 
 CALM_SWEEPS = 2
 """A crowd whose contacts take more sweeps to be calm is restless: it relaxes no further than to be
@@ -95,12 +98,14 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
     gives_up = not violent and t.braces.sizes[0] == 0
     crowded = resting >= CROWD and not violent and not joints_act(t)
     t.progress.restless[0] = 0
-    for i in range(1, (PATIENT_SWEEPS if violent else t.progress.sweeps[0]) + 1):
+    most = most_sweeps(t, crowded, violent)
+    wild = CROWD_WILD if crowded else WILD_SWEEPS
+    for i in range(1, most + 1):
         found = sweep_all(t, resting, CALM, i % 2 == 0, i if crowded else ALL)
         failed = bind(t, part)
         if crowded and i > CALM_SWEEPS:
             t.progress.restless[0] = 1
-        if has_settled(found, gives_up and i == WILD_SWEEPS) and (resting == 0 or failed <= CALM):
+        if has_settled(found, gives_up and i == wild) and (resting == 0 or failed <= CALM):
             break
     bind_limbs(t, part)
     keep_impulses(t, part)
@@ -110,6 +115,15 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
             bodies.path_y[row] = (bodies.kick_y[row] - bodies.vy[row]) / part
             bodies.path_spin[row] = (bodies.kick_spin[row] - bodies.spin[row]) / part
             note_part(bodies, row)
+
+
+def most_sweeps(t: Tables, crowded: bool, violent: bool) -> int:
+    """How many sweeps the present part has at most."""
+    if violent:
+        return PATIENT_SWEEPS
+    if crowded and t.progress.sweeps[0] == MOST_SWEEPS:
+        return CROWD_SWEEPS
+    return t.progress.sweeps[0]
 
 
 def has_settled(found: int, last: bool) -> bool:
@@ -178,13 +192,12 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
         polish = CALM if violent or t.progress.restless[0] == 1 else FINE
         gives_up = not violent and t.braces.sizes[0] == 0
         crowded = left >= CROWD and not violent and not joints_act(t)
-        most = PATIENT_SWEEPS if violent else t.progress.sweeps[0]
-        if crowded and most == MOST_SWEEPS:
-            most = CROWD_SWEEPS
+        most = most_sweeps(t, crowded, violent)
+        wild = CROWD_WILD if crowded else WILD_SWEEPS
         for i in range(1, most + 1):
             found = sweep_all(t, left, polish, i % 2 == 1, i if crowded else ALL)
             failed = ease(t)
-            if has_settled(found, gives_up and i == WILD_SWEEPS) and (left == 0 or failed <= CALM):
+            if has_settled(found, gives_up and i == wild) and (left == 0 or failed <= CALM):
                 break
     ease_limbs(t)
     part_gently(t, left, part * done)

@@ -29,6 +29,10 @@ DEEP = 0.02
 """Overlap from which on bodies are deep in each other, in reaches of the smaller one: far beyond
 what loads make."""
 
+ASKEW = 0.05
+"""Share of their speeds by which bodies may close faster than a contact says that was measured
+some time before in the same part."""
+
 BURIED = 1e-3
 """Distance of the centres of two discs that counts as none, in reaches of the smaller one."""
 
@@ -130,6 +134,32 @@ def turning(t: Tables, pair: int, lasts: float) -> float:
     if t.pieces.swing[t.pairs.piece_b[pair]] > 0.0:
         turn += abs(t.bodies.spin[t.pairs.b[pair]])
     return turn * lasts
+
+
+def closes_faster(t: Tables, pair: int, time: float, speed: float) -> bool:
+    """Whether a resting contact may close faster than a speed (m/s) at `time` of the part (s), as
+    far as it was last measured; what its bodies have moved since is allowed for.
+    """
+    bodies = t.bodies
+    contacts = t.contacts
+    if t.pairs.points[pair] == 0:
+        return True
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    from_a = time - bodies.clock[a]
+    from_b = time - bodies.clock[b]
+    x = bodies.vx[a] + bodies.path_x[a] * from_a - bodies.vx[b] - bodies.path_x[b] * from_b
+    y = bodies.vy[a] + bodies.path_y[a] * from_a - bodies.vy[b] - bodies.path_y[b] * from_b
+    spin_a = bodies.spin[a] + bodies.path_spin[a] * from_a
+    spin_b = bodies.spin[b] + bodies.path_spin[b] * from_b
+    turning = abs(spin_a) * bodies.reach[a] + abs(spin_b) * bodies.reach[b]
+    closing = x * t.pairs.normal_x[pair] + y * t.pairs.normal_y[pair]
+    most = speed - ASKEW * (abs(x) + abs(y) + turning)
+    for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
+        arms = spin_a * contacts.normal_arm_a[row] - spin_b * contacts.normal_arm_b[row]
+        if closing + arms > most:
+            return True
+    return False
 
 
 def share_of_b(t: Tables, pair: int) -> float:

@@ -39,11 +39,11 @@ def part_gently(t: Tables, resting: int, part: float) -> None:
         pair = t.pairs.resting[k]
         if overlaps_deeply(t, pair):
             aim(t, pair, part)
+            t.pairs.queue[deep] = pair  # nothing is queued any more
             deep += 1
-    if deep > 0:
-        for _ in range(MOST_SWEEPS):
-            if not pull(t, resting):
-                return
+    for _ in range(MOST_SWEEPS):
+        if deep == 0 or not pull(t, deep):
+            return
 
 
 def aim(t: Tables, pair: int, part: float) -> None:
@@ -66,15 +66,13 @@ def aim(t: Tables, pair: int, part: float) -> None:
         contacts.target[row] = -leaves if leaves > PUSH * t.pairs.size[pair] else 0.0
 
 
-def pull(t: Tables, resting: int) -> bool:
+def pull(t: Tables, deep: int) -> bool:
     """Solve each deep pair once; return whether a velocity changed by more than `CALM`."""
     bodies = t.bodies
     contacts = t.contacts
     wild = False
-    for k in range(resting):
-        pair = t.pairs.resting[k]
-        if not overlaps_deeply(t, pair):
-            continue
+    for k in range(deep):
+        pair = t.pairs.queue[k]
         a = t.pairs.a[pair]
         b = t.pairs.b[pair]
         nx = t.pairs.normal_x[pair]

@@ -127,45 +127,10 @@ def hold(t: Tables, count: int, resting: int, now: float, part: float, substep: 
     Contacts that close faster than forces explain are struck first: a box that rocks on a corner
     slaps the floor with the other.
     """
-    omega = frequency(substep)
     for again in (False, True):
         if resting > 0:
-            place_middle(t, count, part / 2.0)
-        softly, yielding = softness(part, omega)
-        firmly, bearing = softness(part, 2.0 * omega)
-        kept = 0
-        hit = False
-        for k in range(resting):
-            pair = t.pairs.resting[k]
-            t.pairs.acting[pair] = 0
-            if t.pairs.state[pair] != RESTING:
-                continue
-            if not again:
-                collect_last_part(t, pair)
-            if t.pairs.steady[pair] == 1:
-                let_go(t, pair, substep)
-            if t.pairs.points[pair] > 0:
-                follow(t, pair, 0.0)
-            if has_drifted(t, pair):
-                find_points(t, pair, part / 2.0)
-            a = t.pairs.a[pair]
-            b = t.pairs.b[pair]
-            if t.bodies.inverse_mass[a] == 0.0 or t.bodies.inverse_mass[b] == 0.0:
-                does = prepare(t, pair, part, 2.0 * omega, firmly, bearing)
-            else:
-                does = prepare(t, pair, part, omega, softly, yielding)
-            if does == PARTED and t.progress.stalled[0] < STALLS:
-                leave(t, pair)
-                t.pairs.state[pair] = FREE
-                t.pairs.apart[pair] = 0.0
-                continue
-            touch(t, pair)
-            if does == SLAPS and not again and t.impacts.written[0] < IMPACTS_AT_ONCE:
-                strike(t, pair, now, 0.0, substep, part, False)
-                hit = True
-            t.pairs.resting[kept] = pair
-            kept += 1
-        resting = kept
+            place_middle(t, count, part / 2.0, again)
+        resting, hit = ready_all(t, resting, now, part, substep, again)
         if not hit:
             break
     count_holds(t, count, resting)
@@ -179,8 +144,66 @@ def hold(t: Tables, count: int, resting: int, now: float, part: float, substep: 
     return resting
 
 
-def place_middle(t: Tables, count: int, half: float) -> None:
-    """Note where bodies that rest are in the middle of the part, contacts apart."""
+def ready_all(
+    t: Tables, resting: int, now: float, part: float, substep: float, again: bool
+) -> tuple[int, bool]:
+    """Measure and ready the resting contacts for a part of the tick (s), and strike what slaps.
+
+    `again`, only those of bodies that were struck. Returns how many pairs still rest, and whether
+    some were struck.
+    """
+    pairs = t.pairs
+    stirred = t.bodies.stirred
+    inverse_mass = t.bodies.inverse_mass
+    omega = frequency(substep)
+    softly, yielding = softness(part, omega)
+    firmly, bearing = softness(part, 2.0 * omega)
+    some = again and not joints_act(t)
+    kept = 0
+    hit = False
+    for k in range(resting):
+        pair = pairs.resting[k]
+        pairs.acting[pair] = 0
+        if pairs.state[pair] != RESTING:
+            continue
+        a = pairs.a[pair]
+        b = pairs.b[pair]
+        if some and stirred[a] == 0 and stirred[b] == 0:
+            pairs.resting[kept] = pair
+            kept += 1
+            continue
+        if not again:
+            collect_last_part(t, pair)
+        if pairs.steady[pair] == 1:
+            let_go(t, pair, substep)
+        if pairs.points[pair] > 0:
+            follow(t, pair, 0.0)
+        if has_drifted(t, pair):
+            find_points(t, pair, part / 2.0)
+        if inverse_mass[a] == 0.0 or inverse_mass[b] == 0.0:
+            does = prepare(t, pair, part, 2.0 * omega, firmly, bearing)
+        else:
+            does = prepare(t, pair, part, omega, softly, yielding)
+        if does == PARTED and t.progress.stalled[0] < STALLS:
+            leave(t, pair)
+            pairs.state[pair] = FREE
+            pairs.apart[pair] = 0.0
+            continue
+        touch(t, pair)
+        if does == SLAPS and not again and t.impacts.written[0] < IMPACTS_AT_ONCE:
+            strike(t, pair, now, 0.0, substep, part, False)
+            stirred[a] = stirred[b] = 1
+            hit = True
+        pairs.resting[kept] = pair
+        kept += 1
+    return kept, hit
+
+
+def place_middle(t: Tables, count: int, half: float, again: bool) -> None:
+    """Note where bodies that rest are in the middle of the part, contacts apart.
+
+    `again`, because some were struck; else none counts as struck from now on.
+    """
     bodies = t.bodies
     for row in range(count):
         if bodies.held[row] > 0:
@@ -190,6 +213,8 @@ def place_middle(t: Tables, count: int, half: float) -> None:
             bodies.middle_x[row] = bodies.x[row] + bodies.vx[row] * half
             bodies.middle_y[row] = bodies.y[row] + bodies.vy[row] * half
             bodies.middle_angle[row] = bodies.angle[row] + bodies.spin[row] * half
+            if not again or bodies.inverse_mass[row] == 0.0:
+                bodies.stirred[row] = 0
 
 
 def prepare(

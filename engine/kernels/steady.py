@@ -24,10 +24,10 @@ MOVING, UNEVEN, BALANCED, RELYING = 0, 1, 2, 3
 """How forces are borne in a tick: not steadily; steadily, but sweeps have not come to their end;
 they have; by the loads of the last tick."""
 
-SLOW = 5e-4
+SLOW = 1e-3
 """Bodies that move slower are calm, in reaches of each a second (1/s)."""
 
-FAST = 2e-3
+FAST = 4e-3
 """Bodies that move faster are no longer calm, in the same unit."""
 
 EVEN = 0.1

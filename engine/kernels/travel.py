@@ -9,7 +9,7 @@ from engine.kernels.agenda import TOGETHER, dequeue, empty, enqueue, next_to_mee
 from engine.kernels.books import book_lead, book_part
 from engine.kernels.contacts import correct_arms, relax
 from engine.kernels.fields import lead_of_euler
-from engine.kernels.following import turning
+from engine.kernels.following import closes_faster, turning
 from engine.kernels.impacts import strike
 from engine.kernels.meeting import (
     approach_at,
@@ -196,7 +196,7 @@ def plan(
     if now == 0.0 and all_bear(t) and is_steady(t, count, resting, dt):
         if relies(t, count, resting, dt):
             return part, resting, RELYING
-        place_middle(t, count, dt / 2.0)
+        place_middle(t, count, dt / 2.0, False)
         steadiness = balance(t, count, resting, dt)
         if steadiness != MOVING:
             return part, resting, steadiness
@@ -291,11 +291,13 @@ def look_again(t: Tables, row: int, time: float, part: float, queued: int, stric
             find_meeting(t, pair, time, part)
         elif pairs.state[pair] == RESTING and strict:
             pairs.meeting[pair] = NEVER
-            speed = approach_at(t, pair, time)
-            near = t.touch.gap[0] <= OVERLAP * pairs.size[pair]
-            if near and speed > explained_speed(t, pair, part):
-                pairs.meeting[pair] = time
-                pairs.speed[pair] = speed
+            explained = explained_speed(t, pair, part)
+            if closes_faster(t, pair, time, explained):
+                speed = approach_at(t, pair, time)
+                near = t.touch.gap[0] <= OVERLAP * pairs.size[pair]
+                if near and speed > explained:
+                    pairs.meeting[pair] = time
+                    pairs.speed[pair] = speed
         queued = enqueue(t, pair, queued)
     return queued
 
