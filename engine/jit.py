@@ -47,6 +47,7 @@ SOURCES = (
     "linkage.geometry",
     "linkage.impulses",
     "linkage.jolts",
+    "linkage.limb_groups",
     "linkage.limb_impacts",
     "linkage.limb_impulses",
     "linkage.limb_motion",

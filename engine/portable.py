@@ -135,6 +135,7 @@ DERIVED = (
     "bodies.bone",
     "pairs.queue",
     "pairs.resting",
+    "pairs.grouped",
     "state.loose",
 )
 """Columns that are made anew before they are read: they are not saved."""

@@ -19,6 +19,7 @@ from engine.kernels.following import (
 )
 from engine.kernels.parting import part_gently
 from engine.kernels.sweeps import ALL, QUIET, WILD, warm_start
+from engine.linkage.limb_groups import sweep_groups
 from engine.linkage.limb_motion import bind_limbs
 from engine.linkage.limb_sweeps import sweep_all, sweep_all_until_calm, turn_limbs_by_shift
 from engine.linkage.limb_velocities import ease_limbs
@@ -71,6 +72,13 @@ CALM_SWEEPS = 2
 """A crowd whose contacts take more sweeps to be calm is restless: it relaxes no further than to be
 calm."""
 
+JOINED_SWEEPS = 4
+"""Sweeps after which groups of joined bodies need not be finer than calm, to relax."""
+
+JAMMED = 4
+"""So many times more sweeps do they have at most: where limbs jam, what is left would drive them
+apart."""
+
 FINE = 1e-5
 """As `CALM`, to relax: sweeps without the spring also calm what rocks as a whole, of which each
 takes little."""
@@ -100,13 +108,16 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
     t.progress.restless[0] = 0
     most = most_sweeps(t, crowded, violent)
     wild = CROWD_WILD if crowded else WILD_SWEEPS
-    for i in range(1, most + 1):
-        found = sweep_all(t, resting, CALM, i % 2 == 0, i if crowded else ALL)
-        failed = bind(t, part)
-        if crowded and i > CALM_SWEEPS:
-            t.progress.restless[0] = 1
-        if has_settled(found, gives_up and i == wild) and (resting == 0 or failed <= CALM):
-            break
+    if t.bones.sizes[7] > 0 and t.braces.sizes[0] == 0:
+        sweep_groups(t, resting, most, 1, CALM, most, CALM, wild if gives_up else most + 1, True)
+    else:
+        for i in range(1, most + 1):
+            found = sweep_all(t, resting, CALM, i % 2 == 0, i if crowded else ALL)
+            failed = bind(t, part)
+            if crowded and i > CALM_SWEEPS:
+                t.progress.restless[0] = 1
+            if has_settled(found, gives_up and i == wild) and (resting == 0 or failed <= CALM):
+                break
     bind_limbs(t, part)
     keep_impulses(t, part)
     for row in range(count):
@@ -194,11 +205,15 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
         crowded = left >= CROWD and not violent and not joints_act(t)
         most = most_sweeps(t, crowded, violent)
         wild = CROWD_WILD if crowded else WILD_SWEEPS
-        for i in range(1, most + 1):
-            found = sweep_all(t, left, polish, i % 2 == 1, i if crowded else ALL)
-            failed = ease(t)
-            if has_settled(found, gives_up and i == wild) and (left == 0 or failed <= CALM):
-                break
+        if t.bones.sizes[7] > 0 and t.braces.sizes[0] == 0:
+            early = wild if gives_up else most + 1
+            sweep_groups(t, left, most, JAMMED, polish, JOINED_SWEEPS, CALM, early, False)
+        else:
+            for i in range(1, most + 1):
+                found = sweep_all(t, left, polish, i % 2 == 1, i if crowded else ALL)
+                failed = ease(t)
+                if has_settled(found, gives_up and i == wild) and (left == 0 or failed <= CALM):
+                    break
     ease_limbs(t)
     part_gently(t, left, part * done)
     keep_ends(t, part, done, steady)

@@ -61,6 +61,9 @@ PLUNGE = 0.01
 """A pair that comes to rest is not looked at until its part is over, unless it turns by more than
 this meanwhile (rad), so that another corner would plunge in: then the part ends."""
 
+LIMB_PLUNGE = 0.03
+"""The same where joints hold one of the two: limbs that land turn fast, one after the other."""
+
 
 def begin(t: Tables, count: int, pair_count: int, shortest: float) -> None:
     """Start a tick: find what rests; let the others move with their integrator's lead.
@@ -256,9 +259,11 @@ def meet_in_order(
         written[1] += 1
         if rests and held == 0 and time < part:
             return DONE, time, queued
-        if rests and written[1] < limit and turning(t, pair, part - time) > PLUNGE:
+        joined = t.bodies.joined[a] == 1 or t.bodies.joined[b] == 1
+        plunge = LIMB_PLUNGE if joined else PLUNGE
+        if rests and written[1] < limit and turning(t, pair, part - time) > plunge:
             return DONE, time, queued
-        if t.bodies.joined[a] == 1 or t.bodies.joined[b] == 1:
+        if joined:
             written[1] += joints_that_act(t) // 8  # joints make it dear: give up sooner
             queued = look_at_joined(t, a, b, time, part, queued, written[1] < 2 * limit)
         # What rests cannot wait for the end of a steady tick once something hits it.
@@ -273,8 +278,10 @@ def meet_in_order(
                 cut = True
         if escaped:
             ending = ESCAPED
-        queued = look_again(t, a, time, part, queued, written[1] < 2 * limit)
-        queued = look_again(t, b, time, part, queued, written[1] < 2 * limit)
+        if t.bodies.bone[a] == 0:
+            queued = look_again(t, a, time, part, queued, written[1] < 2 * limit)
+        if t.bodies.bone[b] == 0:
+            queued = look_again(t, b, time, part, queued, written[1] < 2 * limit)
     if cut:
         return ending, reached, queued
     return ending, part, queued
@@ -282,24 +289,28 @@ def meet_in_order(
 
 def look_again(t: Tables, row: int, time: float, part: float, queued: int, strict: bool) -> int:
     """Find anew, after an impact at `time` (s), when the pairs of a body meet."""
-    pairs = t.pairs
     first = t.bodies.first_link[row]
     for link in range(first, first + t.bodies.links[row]):
-        pair = t.links.pair[link]
-        if pairs.state[pair] == FREE:
-            notice_passing(t, pair)
-            find_meeting(t, pair, time, part)
-        elif pairs.state[pair] == RESTING and strict:
-            pairs.meeting[pair] = NEVER
-            explained = explained_speed(t, pair, part)
-            if closes_faster(t, pair, time, explained):
-                speed = approach_at(t, pair, time)
-                near = t.touch.gap[0] <= OVERLAP * pairs.size[pair]
-                if near and speed > explained:
-                    pairs.meeting[pair] = time
-                    pairs.speed[pair] = speed
-        queued = enqueue(t, pair, queued)
+        queued = look_at_pair(t, t.links.pair[link], time, part, queued, strict)
     return queued
+
+
+def look_at_pair(t: Tables, pair: int, time: float, part: float, queued: int, strict: bool) -> int:
+    """Find anew, after an impact at `time` (s), when a pair meets."""
+    pairs = t.pairs
+    if pairs.state[pair] == FREE:
+        notice_passing(t, pair)
+        find_meeting(t, pair, time, part)
+    elif pairs.state[pair] == RESTING and strict:
+        pairs.meeting[pair] = NEVER
+        explained = explained_speed(t, pair, part)
+        if closes_faster(t, pair, time, explained):
+            speed = approach_at(t, pair, time)
+            near = t.touch.gap[0] <= OVERLAP * pairs.size[pair]
+            if near and speed > explained:
+                pairs.meeting[pair] = time
+                pairs.speed[pair] = speed
+    return enqueue(t, pair, queued)
 
 
 def look_at_joined(
@@ -309,9 +320,9 @@ def look_at_joined(
     tree_a = tree_at(t, a)
     tree_b = tree_at(t, b)
     if tree_a >= 0:
-        queued = look_at_tree(t, tree_a, time, part, queued, strict)
+        queued = look_at_tree(t, tree_a, a, b, time, part, queued, strict)
     if tree_b >= 0 and tree_b != tree_a:
-        queued = look_at_tree(t, tree_b, time, part, queued, strict)
+        queued = look_at_tree(t, tree_b, a, b, time, part, queued, strict)
     if not has_braces(t, a) and not has_braces(t, b):
         return queued
     for node in range(1, t.braces.sizes[1]):
@@ -320,17 +331,43 @@ def look_at_joined(
     return queued
 
 
-def look_at_tree(t: Tables, tree: int, time: float, part: float, queued: int, strict: bool) -> int:
-    """Find anew, after an impact at `time` (s), when bodies of a tree of hinges meet others."""
+def look_at_tree(
+    t: Tables, tree: int, a: int, b: int, time: float, part: float, queued: int, strict: bool
+) -> int:
+    """Find anew, after an impact of a and b at `time` (s), when a tree of hinges meets others."""
     first = t.trees.first[tree]
     for at in range(first, first + t.trees.limbs[tree]):
-        bone = t.limbs.member[at]
-        if bone_changed(t, bone):
-            queued = look_again(t, t.bones.body[bone], time, part, queued, strict)
+        queued = look_at_bone(t, t.limbs.member[at], a, b, time, part, queued, strict)
     root = t.trees.root[tree]
-    if root >= 0 and bone_changed(t, root):
-        queued = look_again(t, t.bones.body[root], time, part, queued, strict)
+    if root >= 0:
+        queued = look_at_bone(t, root, a, b, time, part, queued, strict)
     return queued
+
+
+def look_at_bone(
+    t: Tables, bone: int, a: int, b: int, time: float, part: float, queued: int, strict: bool
+) -> int:
+    """The same for one of its bodies, if it was struck or moved by its hinges; what it meets of the
+    same tree has been looked at with the first of the two.
+    """
+    bodies = t.bodies
+    row = t.bones.body[bone]
+    if not is_moved(t, bone, a, b):
+        return queued
+    first = bodies.first_link[row]
+    for link in range(first, first + bodies.links[row]):
+        pair = t.links.pair[link]
+        other = bodies.bone[t.pairs.a[pair] + t.pairs.b[pair] - row] - 1
+        known = 0 <= other < bone and t.bones.tree[other] == t.bones.tree[bone]
+        if not known or not is_moved(t, other, a, b):
+            queued = look_at_pair(t, pair, time, part, queued, strict)
+    return queued
+
+
+def is_moved(t: Tables, bone: int, a: int, b: int) -> bool:
+    """Whether an impact of a and b changed the velocity of a bone."""
+    row = t.bones.body[bone]
+    return row in (a, b) or bone_changed(t, bone)
 
 
 def has_escaped(t: Tables, row: int, lasts: float) -> bool:

@@ -21,7 +21,15 @@ from engine.linkage.limb_sweeps import (
     keep_evenly,
     place_even,
 )
-from engine.linkage.limbs import gather_masses, resolve, solve_all, solve_tree, stand, stands
+from engine.linkage.limbs import (
+    gather_masses,
+    resolve,
+    resolve_tree,
+    solve_all,
+    solve_tree,
+    stand,
+    stands,
+)
 from engine.linkage.modes import TIGHT
 from engine.tables import Tables
 
@@ -116,13 +124,16 @@ def bind_limbs(t: Tables, part: float) -> float:
         if going == 0:
             break
         if renewing:
-            resolve(t)
             t.bones.sizes[6] = 1
         if alike:
+            if renewing:
+                resolve(t)
             solve_all(t)
             take_all(t)
         else:
             for tree in range(t.bones.sizes[3]):
+                if renewing and t.trees.does[tree] == FORWARD:
+                    resolve_tree(t, tree)
                 step_tree(t, tree)
         if sure:
             break

@@ -148,7 +148,18 @@ def sweep_all_until_calm(t: Tables, resting: int, most: int, calm: float) -> boo
 
 
 def sweep_limbs(t: Tables, calm: float, backwards: bool) -> int:
-    """Solve each hinge of a tree on which contacts act once; sweeps go to and fro in turn.
+    """Solve each hinge of a tree on which contacts act once; sweeps go to and fro in turn."""
+    found = QUIET
+    for tree in range(t.bones.sizes[3]):
+        if t.trees.evenly[tree] == 1:
+            moved = sweep_tree(t, tree, calm, backwards)
+            if moved > found:
+                found = moved
+    return found
+
+
+def sweep_tree(t: Tables, tree: int, calm: float, backwards: bool) -> int:
+    """Solve each hinge of a tree once, from the tips to the root or `backwards`.
 
     Returns whether one moved faster than `calm` (sizes of joints a second): `QUIET`, `STIRRED` or
     `WILD`.
@@ -156,18 +167,17 @@ def sweep_limbs(t: Tables, calm: float, backwards: bool) -> int:
     bones = t.bones
     limbs = t.limbs
     bodies = t.bodies
-    evenly = t.trees.evenly
     kick_x = bodies.kick_x
     kick_y = bodies.kick_y
     kick_spin = bodies.kick_spin
     movable = bones.sizes[1]
     worst = 0.0
-    k = bones.sizes[0] if backwards else -1
+    count = t.trees.limbs[tree]
+    at = t.trees.first[tree] + (count if backwards else -1)
     onwards = -1 if backwards else 1
-    for _ in range(bones.sizes[0]):
-        k += onwards
-        if evenly[limbs.tree[k]] == 0:
-            continue
+    for _ in range(count):
+        at += onwards
+        k = limbs.member[at]
         parent = limbs.parent[k]
         child_row = bones.body[k]
         parent_row = bones.body[parent]

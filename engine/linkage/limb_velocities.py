@@ -3,7 +3,7 @@
 from engine.linkage.limb_impulses import add_up_limb, deliver_ends, lend_all, read_ends
 from engine.linkage.limb_motion import step_limb
 from engine.linkage.limb_sweeps import aim_sweeps
-from engine.linkage.limbs import resolve, solve_all, solve_tree, stand
+from engine.linkage.limbs import resolve, resolve_tree, solve_all, solve_tree, stand
 from engine.tables import Tables
 
 STILL = 1e-12
@@ -38,8 +38,8 @@ def ease_limbs(t: Tables) -> None:
             going += 1
     if going == 0:
         return
-    resolve(t)
     if going == t.bones.sizes[3]:
+        resolve(t)
         solve_all(t)
         for k in range(t.bones.sizes[0]):
             t.limbs.impulse_x[k] += t.limbs.answer_x[k]
@@ -54,6 +54,7 @@ def ease_limbs(t: Tables) -> None:
 
 def ease_tree(t: Tables, tree: int) -> None:
     """Find the impulses of one tree."""
+    resolve_tree(t, tree)
     solve_tree(t, tree)
     first = t.trees.first[tree]
     for at in range(first, first + t.trees.limbs[tree]):

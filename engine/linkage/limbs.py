@@ -118,6 +118,18 @@ def resolve(t: Tables) -> None:
         eliminate(t, k)
 
 
+def resolve_tree(t: Tables, tree: int) -> None:
+    """The same for one tree."""
+    first = t.trees.first[tree]
+    end = first + t.trees.limbs[tree]
+    member = t.limbs.member
+    load_alone(t, t.limbs.parent[member[end - 1]])
+    for at in range(first, end):
+        load_alone(t, member[at])
+    for at in range(first, end):
+        eliminate(t, member[at])
+
+
 def load_alone(t: Tables, bone: int) -> None:
     """Let a bone bear nothing but its body."""
     bones = t.bones

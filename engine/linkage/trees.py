@@ -112,7 +112,7 @@ def fill_trees(t: Tables, trees: list[Tree], movable: set[int], row_of: dict[int
             t.bodies.bone[body] = bone + 1
     for k, limb in enumerate(order):
         _fill_limb(t, limbs, k, limb, bone_of[limb.tree, limb.parent], row_of)
-    table, place = allocate(Trees, max(1, len(trees))), 0
+    table, place = allocate(Trees, len(trees) + 1), 0
     for number, tree in enumerate(trees):
         table.first[number], table.limbs[number] = place, len(tree.limbs)
         table.root[number] = bone_of[number, tree.root] if tree.root in roots else -1

@@ -351,7 +351,7 @@ class Bones(NamedTuple):
 
 
 class Trees(NamedTuple):
-    """One row a tree of hinged bodies."""
+    """One row a tree of hinged bodies, and a last one for all bodies that no tree holds."""
 
     first: Ints
     """First place in `Limbs.member`, and number of limbs."""
@@ -360,6 +360,14 @@ class Trees(NamedTuple):
     """Row in `Bones` of its root if that is free, else -1."""
     evenly: Ints
     """1 if contacts act on it in the present part: its hinges then do so too, all through it."""
+    group: Ints
+    """Tree that stands for the group of trees which touch each other; see `linkage.limb_groups`."""
+    next: Ints
+    """Next tree of the group, -1: none."""
+    pairs: Ints
+    """Number of pairs of the group, in the row that stands for it."""
+    place: Ints
+    """Where its next pair is to be listed."""
     does: Ints
     """What the next step of Newton's method does: see `linkage.limbs`."""
     worst: Floats

@@ -95,6 +95,8 @@ class Pairs(NamedTuple):
     """Pairs that meet in the present part, a heap (a list of its own, not by row); see `agenda`."""
     resting: Ints
     """Pairs that rest in the present part, in order (a list of its own, not by row)."""
+    grouped: Ints
+    """The same in the order of groups of joined bodies; see `linkage.limb_groups`."""
 
 
 class Contacts(NamedTuple):

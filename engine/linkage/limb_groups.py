@@ -1,0 +1,143 @@
+"""Groups of joined bodies that touch each other: each is swept until it is calm, for itself.
+
+Trees of hinges that touch each other form a group; bodies that no tree holds form one of their own,
+with all trees that they touch. What does not move at all carries no impulse from one to another, so
+each group ends its sweeps when it is calm, not when all are; and all of it fits into the cache.
+"""
+
+from engine.kernels.sweeps import ALL, QUIET, WILD, sweep
+from engine.linkage.limb_sweeps import sweep_tree
+from engine.tables import Tables
+
+NONE = -1
+"""No group: what nothing moves."""
+
+
+def sweep_groups(
+    t: Tables,
+    resting: int,
+    most: int,
+    jammed: int,
+    calm: float,
+    polished: int,
+    rough: float,
+    early: int,
+    forth: bool,
+) -> None:
+    """Sweep hinges and contacts, group by group, until each is calm.
+
+    Args:
+        t: the tables.
+        resting: number of pairs that rest.
+        most: number of sweeps at most,
+        jammed: so many times more for groups of joined bodies.
+        calm: a sweep that changes no velocity by more (reaches a second) is the last.
+        polished: from this sweep on,
+        rough: one that changes no velocity of joined bodies by more is the last, in the same unit.
+        early: number of sweeps after which bodies that are not joined are left as they are, if
+            they are still wild.
+        forth: whether the first sweep goes forwards; they go to and fro in turn.
+    """
+    sort_pairs(t, resting)
+    listed = t.pairs.resting
+    free = t.bones.sizes[3]
+    end = 0
+    for group in range(free + 1):
+        first = end
+        end += t.trees.pairs[group]
+        if t.trees.group[group] != group:
+            continue
+        for k in range(first, end):
+            listed[k - first] = t.pairs.grouped[k]
+        for i in range(1, (most if group == free else jammed * most) + 1):
+            backwards = (i % 2 == 0) == forth
+            least = rough if i >= polished and group != free else calm
+            found = sweep_group(t, group, end - first, least, backwards)
+            if found == QUIET or (found == WILD and group == free and i == early):
+                break
+    for k in range(resting):
+        listed[k] = t.pairs.grouped[k]
+
+
+def sweep_group(t: Tables, group: int, pairs: int, calm: float, backwards: bool) -> int:
+    """Solve each hinge of a group once, then each of its pairs, which are listed first.
+
+    Returns how velocities changed, as `sweep` does.
+    """
+    found = QUIET
+    tree = group
+    while tree >= 0:
+        if tree < t.bones.sizes[3] and t.trees.evenly[tree] == 1:
+            moved = sweep_tree(t, tree, calm, backwards)
+            if moved > found:
+                found = moved
+        tree = t.trees.next[tree]
+    if pairs > 0:
+        moved = sweep(t, pairs, calm, backwards, ALL)
+        if moved > found:
+            found = moved
+    return found
+
+
+def sort_pairs(t: Tables, resting: int) -> None:
+    """Find the groups, and list the pairs that rest in their order, each group in the order of the
+    old list.
+    """
+    trees = t.trees
+    pairs = t.pairs
+    last = t.bones.sizes[3]
+    for group in range(last + 1):
+        trees.group[group] = group
+        trees.next[group] = NONE
+        trees.pairs[group] = 0
+    for k in range(resting):
+        pair = pairs.resting[k]
+        a = group_at(t, pairs.a[pair])
+        b = group_at(t, pairs.b[pair])
+        if a >= 0 and b >= 0 and a != b:
+            if a < b:
+                trees.group[b] = a
+            else:
+                trees.group[a] = b
+    for tree in range(last, -1, -1):
+        group = group_of(t, tree)
+        trees.group[tree] = group
+        if group != tree:
+            trees.next[tree] = trees.next[group]
+            trees.next[group] = tree
+    for k in range(resting):
+        trees.pairs[group_of_pair(t, pairs.resting[k])] += 1
+    place = 0
+    for group in range(last + 1):
+        trees.place[group] = place
+        place += trees.pairs[group]
+    for k in range(resting):
+        group = group_of_pair(t, pairs.resting[k])
+        pairs.grouped[trees.place[group]] = pairs.resting[k]
+        trees.place[group] += 1
+
+
+def group_at(t: Tables, row: int) -> int:
+    """The group of a body; `NONE` of one that nothing moves."""
+    bone = t.bodies.bone[row] - 1
+    if bone >= 0:
+        return group_of(t, t.bones.tree[bone])
+    return group_of(t, t.bones.sizes[3]) if t.bodies.inverse_mass[row] > 0.0 else NONE
+
+
+def group_of_pair(t: Tables, pair: int) -> int:
+    """The group of a pair."""
+    a = group_at(t, t.pairs.a[pair])
+    b = group_at(t, t.pairs.b[pair])
+    if a >= 0:
+        return a
+    return b if b >= 0 else t.trees.group[t.bones.sizes[3]]
+
+
+def group_of(t: Tables, tree: int) -> int:
+    """The tree that stands for the group of another."""
+    group = t.trees.group
+    while group[tree] != tree:
+        group[tree] = group[group[tree]]
+        tree = group[tree]
+    return tree
