@@ -207,7 +207,8 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
         wild = CROWD_WILD if crowded else WILD_SWEEPS
         if t.bones.sizes[7] > 0 and t.braces.sizes[0] == 0:
             early = wild if gives_up else most + 1
-            sweep_groups(t, left, most, JAMMED, polish, JOINED_SWEEPS, CALM, early, False)
+            jammed = 1 if violent else JAMMED
+            sweep_groups(t, left, most, jammed, polish, JOINED_SWEEPS, CALM, early, False)
         else:
             for i in range(1, most + 1):
                 found = sweep_all(t, left, polish, i % 2 == 1, i if crowded else ALL)
