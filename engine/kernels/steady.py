@@ -33,9 +33,15 @@ FAST = 4e-3
 EVEN = 0.1
 """Share that counts of what changes a disc's velocity: discs may roll, if they do it evenly."""
 
-ROLLING = 0.1
+ROLLING = 1.0
 """Discs that roll faster are not calm: they may soon leave what they rest on, in reaches a second
 (1/s)."""
+
+SLIDING = 2e-5
+"""What slides faster is braked by friction, so is not steady, in the same unit."""
+
+RESISTED = 1e-6
+"""What rolls faster against resistance is not steady either (rad/s)."""
 
 LONG = 12
 """Ticks for which all that rests must have been calm to be steady: what swings stands still too,
@@ -68,9 +74,25 @@ def is_steady(t: Tables, count: int, resting: int, dt: float) -> bool:
     if steady:
         for k in range(resting):
             pair = t.pairs.resting[k]
-            if t.pairs.points[pair] == 0 or t.pairs.belt_speed[pair] != 0.0:
+            if t.pairs.points[pair] == 0 or t.pairs.belt_speed[pair] != 0.0 or is_braked(t, pair):
                 return False
     return steady
+
+
+def is_braked(t: Tables, pair: int) -> bool:
+    """Whether friction or rolling resistance brakes a contact."""
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    turns = abs(bodies.spin[b] - bodies.spin[a])
+    if t.pairs.rolling_resistance[pair] > 0.0 and turns > RESISTED:
+        return True
+    slip = (bodies.vy[b] - bodies.vy[a]) * t.pairs.normal_x[pair]
+    slip -= (bodies.vx[b] - bodies.vx[a]) * t.pairs.normal_y[pair]
+    row = 2 * pair
+    slip += bodies.spin[b] * t.contacts.tangent_arm_b[row]
+    slip -= bodies.spin[a] * t.contacts.tangent_arm_a[row]
+    return abs(slip) > SLIDING * t.pairs.size[pair]
 
 
 def watch(t: Tables, row: int, dt: float) -> None:

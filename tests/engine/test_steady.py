@@ -103,3 +103,34 @@ def test_a_world_continues_from_a_snapshot_bit_for_bit(after: int) -> None:
             world.step()
         digests.append(world.digest())
     assert digests[0] == digests[1]
+
+
+def rolls_over_an_edge(restless: bool) -> tuple[list[tuple[float, float]], int]:
+    """Where a disc is that rolls off a heavy box at 0.43 radii a second; in how many ticks all was
+    steady. `restless`: far away something slides, so that nothing is taken for steady.
+    """
+    world = World(gravity=(0, -G), integrator="velocity-verlet")
+    world.add(Wall((-9, 0), (99, 0)), friction=0.5)
+    world.add(Polygon.box(2, 1), position=(0, 0.5), mass=50, friction=0.5)
+    disc = world.add(
+        Circle(0.35), position=(0.4, 1.35), velocity=(0.15, 0), spin=-0.15 / 0.35, friction=0.5
+    )
+    if restless:
+        world.add(Polygon.box(1, 1), position=(20, 0.5), velocity=(9, 0), friction=0.001)
+    places, steady = [], 0
+    for _ in range(330):
+        world.step()
+        places.append((disc.x, disc.y))
+        steady += steady_pairs(world) > 0
+    return places, steady
+
+
+def test_a_disc_that_rolls_evenly_is_steady_until_it_rolls_over_the_edge() -> None:
+    """Uniform motion needs no force; at the edge it must not be taken for uniform any longer."""
+    places, steady = rolls_over_an_edge(restless=False)
+    others, never = rolls_over_an_edge(restless=True)
+    assert never == 0
+    assert steady > 180
+    assert places[120][0] - places[60][0] == pytest.approx(0.15, rel=1e-3)
+    assert places[-1][1] < 1.0
+    assert max(math.dist(a, b) for a, b in zip(places, others, strict=True)) < 5e-3
