@@ -33,6 +33,7 @@ LAYOUT = (
 
 SOURCES = (
     "kernels.accelerate",
+    "kernels.aftermath",
     "kernels.agenda",
     "kernels.books",
     "kernels.broadphase",
