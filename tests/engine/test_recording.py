@@ -32,11 +32,11 @@ READS = {
         "body", "row", "is_acting", "ignores", "joint",
         "query_point", "query_box", "cast_ray", "cast_ray_through", "cast_shape", "nearest",
     },
-    Body: {"to_world", "to_local", "on_move", "on_collision"},
+    Body: {"to_world", "to_local", "name", "on_move", "on_collision"},
     Push: set(),
-    Joint: set(),
+    Joint: {"on_break"},
 }  # fmt: skip
-"""What is public and no input: it changes nothing, is a step, or only listens."""
+"""What is public and no input: it changes no motion, is a step, or only listens."""
 
 
 def room() -> World:
