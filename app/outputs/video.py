@@ -36,6 +36,7 @@ def converted(pixels: Pixels, converter: VideoReformatter) -> av.VideoFrame:
         src_color_range=ColorRange.JPEG,
         dst_color_range=ColorRange.MPEG,
         dst_colorspace=Colorspace.ITU709,
+        threads=1,  # more take a fifth more of the processor, which the encoder needs
     )
 
 
