@@ -38,7 +38,7 @@ MOST_SWEEPS = 8
 HEAVY = 10.0
 """So many times as heavy: the weight of one shakes the other between two contacts."""
 
-VIOLENT = 100.0
+VIOLENT = 1e4
 """Where forces or contacts change a velocity by more within a part, in reaches a second (1/s),"""
 
 PATIENT_SWEEPS = 3000
