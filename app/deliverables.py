@@ -9,7 +9,7 @@ from types import TracebackType
 
 from app.frames import Film, Pixels, Sink
 from app.json_text import document
-from app.outputs import OutputError, Promise, explained, kind_of, open_sink
+from app.outputs import DATA, OutputError, Promise, explained, kind_of, open_sink
 from app.outputs.png import png_bytes
 from app.outputs.promise import check_place
 from app.player import Check
@@ -17,8 +17,6 @@ from app.report import Output, Report
 from app.watcher import Watcher
 
 REPORT = "json"
-DATA = ("csv", REPORT)
-"""Kinds that hold no pictures."""
 
 
 class NotBegun(Exception):

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from app.outputs.kept import Encoder
 
 __all__ = [
+    "DATA",
     "SUFFIXES",
     "OutputError",
     "Promise",
@@ -56,7 +57,8 @@ _ENCODERS = {
     "csv": ("app.outputs.tracks", "Tracks"),
 }
 
-_PICTURED = _ENCODERS.keys() - {"csv"}
+DATA = ("csv", "json")
+"""Kinds that hold no pictures."""
 
 
 def kind_of(path: str | os.PathLike[str]) -> str | None:
@@ -91,11 +93,12 @@ def check_output(path: str | os.PathLike[str], size: tuple[int, int], fps: int) 
 
 def prepare(paths: "Sequence[str]") -> None:
     """Begin to load what will encode these outputs; it takes a moment, in its own processes."""
-    from app.outputs.remote import AVAILABLE, prepare_workers
+    kinds = [kind for kind in map(kind_of, paths) if kind not in DATA]
+    if kinds:
+        from app.outputs.remote import AVAILABLE, prepare_workers
 
-    kinds = [kind_of(path) for path in paths]
-    if AVAILABLE:
-        prepare_workers([_ENCODERS[kind][0] for kind in kinds if kind in _PICTURED])
+        if AVAILABLE:
+            prepare_workers([_ENCODERS[kind][0] for kind in kinds if kind in _ENCODERS])
 
 
 def open_sink(path: str | os.PathLike[str], film: "Film", *, remote: bool = False) -> "Sink":
@@ -112,7 +115,7 @@ def open_sink(path: str | os.PathLike[str], film: "Film", *, remote: bool = Fals
     from app.outputs.remote import AVAILABLE, Remote
 
     module, name = _ENCODERS[kind]
-    pictures = kind in _PICTURED
+    pictures = kind not in DATA
     make: Callable[[Path, Film], Encoder]
     if remote and pictures and AVAILABLE:  # who reads worlds must be where they are
         make = partial(Remote, module, name)
