@@ -58,6 +58,27 @@ def differences(before: Pixels, now: Pixels) -> tuple[Box, NDArray[np.bool_]] | 
     return Box(top, left, bottom, right), differs[:, left:right]
 
 
+def bands(before: Pixels, now: Pixels, height: int) -> list[Box]:
+    """What differs in each band of `height` rows, or in a row next to it: boxes from the top.
+
+    A box is as high as its band, the last of which may be lower, and its sides are even. Where
+    nothing differs there is none. The pictures are C-contiguous and of one size, of even width.
+    """
+    rows, half = before.shape[0], before.shape[1] // 2
+    tops = range(0, rows, height)
+    differs = np.zeros((len(tops), height, half), np.bool_)
+    np.not_equal(_paired(before), _paired(now), out=differs.reshape(-1, half)[:rows])
+    columns: NDArray[np.bool_] = np.logical_or.reduce(differs, axis=1)
+    columns[1:] |= differs[:-1, -1]
+    columns[:-1] |= differs[1:, 0]
+    first, last = columns.argmax(axis=1), columns[:, ::-1].argmax(axis=1)
+    return [
+        Box(top, 2 * int(first[band]), min(top + height, rows), 2 * (half - int(last[band])))
+        for band, top in enumerate(tops)
+        if columns[band, first[band]]
+    ]
+
+
 def _paired(pixels: Pixels) -> NDArray[Any]:
     """The same picture, two pixels in one number if possible: half as many to compare."""
     return pixels if pixels.shape[1] % 2 else pixels.view(np.uint64)

@@ -5,44 +5,33 @@ the first must wait until it is woken again. A GIF took longer with a thread tha
 """
 
 import atexit
-import mmap
 import os
 import pickle
 import subprocess
-import tempfile
 from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
 from app.frames import Film, Frame, Moment
+from app.outputs.slots import filled_by_us, new_memory
 from engine.own_process import start
-
-SLOTS = 3
-"""Pictures that may wait. More smooths nothing and costs memory: 3.7 MB each at 720x1280."""
-
-WAITING = 64 * 2**20
-"""Bytes of pictures that may wait for one encoder: fewer large ones than small ones."""
 
 AVAILABLE = os.name == "posix"
 """Whether processes can share memory by its descriptor."""
 
 
 class Begin(NamedTuple):
-    """Make the encoder `name` of `module` for a film; memory holds `slots` pictures of it."""
+    """Make the encoder `name` of `module` for a film; the memory has room for pictures of it."""
 
     module: str
     name: str
     part: Path
     film: Film
-    slots: int
 
 
 class Picture(NamedTuple):
-    """Encode the picture in a slot; answered once the slot is free, so before it is encoded."""
+    """Encode the picture in a slot, which is free again when an answer says so."""
 
     number: int
     slot: int
@@ -55,10 +44,13 @@ class Finish(NamedTuple):
 Request = Begin | Picture | Finish
 
 
-def shared_pictures(memory: int, slots: int, film: Film) -> NDArray[np.uint32]:
-    """Shared memory as pictures of a film, shape (slots, height, width); it must be that large."""
-    mapped = mmap.mmap(memory, 4 * slots * film.height * film.width)
-    return np.frombuffer(mapped, np.uint32).reshape(slots, film.height, film.width)
+class Answer(NamedTuple):
+    """To each request, in turn, when it is done."""
+
+    failure: Exception | None
+    """What failed, in this request or one before."""
+    free: list[int]
+    """Slots that are free again."""
 
 
 class Remote:
@@ -70,13 +62,12 @@ class Remote:
 
     def __init__(self, module: str, name: str, part: Path, film: Film) -> None:
         """Let a worker make the encoder `name` of `module`; raises what that raises."""
-        slots = max(1, min(SLOTS, WAITING // (4 * film.width * film.height)))
         self._worker = _any_worker(module)
-        self._sent = 0
         self._finished = False
         try:
-            self._slots = self._worker.share(slots, film)
-            self._worker.send(Begin(module, name, part, film, slots))
+            self._slots = filled_by_us(self._worker.memory, film)
+            self._free = list(range(len(self._slots)))
+            self._worker.send(Begin(module, name, part, film))
             self._worker.hear()
         except BaseException:
             self.abandon()
@@ -84,12 +75,11 @@ class Remote:
 
     def frame(self, frame: Frame) -> None:
         """Hand on the next picture; wait for a free slot."""
-        if self._worker.owes == len(self._slots):
-            self._worker.hear()
-        slot = self._sent % len(self._slots)
+        while not self._free:
+            self._free += self._worker.hear()
+        slot = self._free.pop()
         self._slots[slot] = frame.pixels
         self._worker.send(Picture(frame.index, slot))
-        self._sent += 1
 
     def moment(self, moment: Moment) -> None:
         """Pictures have no use for it."""
@@ -113,19 +103,20 @@ class WorkerProcess:
 
     def __init__(self, module: str) -> None:
         """Start it, ready for the encoders of `module`; raises OSError."""
-        self._memory = _memory()
+        self.memory = new_memory()
+        """Its descriptor."""
         try:
             self._process = start(
                 "app.outputs.worker",
-                str(self._memory),
+                str(self.memory),
                 module,
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=None,
-                pass_fds=(self._memory,),
+                pass_fds=(self.memory,),
             )
         except BaseException:
-            os.close(self._memory)
+            os.close(self.memory)
             raise
         self.owes = 0
         """Answers that are still to come."""
@@ -134,11 +125,6 @@ class WorkerProcess:
     def lives(self) -> bool:
         """Whether it has not ended."""
         return self._process.poll() is None
-
-    def share(self, slots: int, film: Film) -> NDArray[np.uint32]:
-        """Shared memory for so many pictures of a film."""
-        os.ftruncate(self._memory, 4 * slots * film.height * film.width)
-        return shared_pictures(self._memory, slots, film)
 
     def send(self, request: Request) -> None:
         """Ask for something; raises OSError if the process has ended."""
@@ -150,16 +136,20 @@ class WorkerProcess:
             raise self._has_ended() from None
         self.owes += 1
 
-    def hear(self) -> None:
-        """Wait for the next answer; raise what failed, or OSError if the process has ended."""
+    def hear(self) -> list[int]:
+        """Wait for the next answer: slots that are free again.
+
+        Raises what failed, or OSError if the process has ended.
+        """
         assert self._process.stdout is not None
         try:
-            failure: Exception | None = pickle.load(self._process.stdout)
+            answer: Answer = pickle.load(self._process.stdout)
         except EOFError:
             raise self._has_ended() from None
         self.owes -= 1
-        if failure is not None:
-            raise failure
+        if answer.failure is not None:
+            raise answer.failure
+        return answer.free
 
     def end(self) -> None:
         """End it at once."""
@@ -170,19 +160,11 @@ class WorkerProcess:
         """Let it end, which it does when its input ends."""
         with suppress(BrokenPipeError), self._process:  # closes its streams, and waits
             pass
-        os.close(self._memory)
+        os.close(self.memory)
 
     def _has_ended(self) -> OSError:
         code = self._process.wait()
         return OSError(f"the process that encodes it has ended ({code})")
-
-
-def _memory() -> int:
-    """Memory without a name, which vanishes with the last process that holds it."""
-    if hasattr(os, "memfd_create"):
-        return os.memfd_create("laws-pictures")
-    with tempfile.TemporaryFile() as file:
-        return os.dup(file.fileno())
 
 
 _idle: list[WorkerProcess] = []

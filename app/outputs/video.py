@@ -7,12 +7,12 @@ from pathlib import Path
 from typing import ClassVar, cast
 
 import av
-import numpy as np
 from av.packet import Packet
-from av.video.reformatter import ColorRange, Colorspace, VideoReformatter
+from av.video.reformatter import ColorRange
 from av.video.stream import VideoStream
 
-from app.frames import Film, Frame, Moment, Pixels
+from app.frames import Film, Frame, Moment
+from app.outputs.conversion import Converter
 from app.outputs.promise import OutputError
 from app.outputs.titles import named
 
@@ -24,20 +24,6 @@ AHEAD = 2
 
 BT709 = 1
 """As matrix, primaries and transfer: what players assume for pictures of this size."""
-
-
-def converted(pixels: Pixels, converter: VideoReformatter) -> av.VideoFrame:
-    """The picture in yuv420p, limited range, BT.709, as players expect it."""
-    height, width = pixels.shape
-    channels = pixels.view(np.uint8).reshape(height, width, 4)
-    return converter.reformat(
-        av.VideoFrame.from_numpy_buffer(channels, format="bgra"),
-        format="yuv420p",
-        src_color_range=ColorRange.JPEG,
-        dst_color_range=ColorRange.MPEG,
-        dst_colorspace=Colorspace.ITU709,
-        threads=1,  # more take a fifth more of the processor, which the encoder needs
-    )
 
 
 class _Video:
@@ -65,7 +51,7 @@ class _Video:
         context.color_range = ColorRange.MPEG
         context.colorspace = context.color_primaries = context.color_trc = BT709
         self._time_base = Fraction(1, film.fps)
-        self._converter = VideoReformatter()
+        self._converter = Converter(film, AHEAD + 1)
         self._thread = ThreadPoolExecutor(max_workers=1, thread_name_prefix="laws-video")
         self._encoding: deque[Future[None]] = deque()
         self._frames = 0
@@ -74,7 +60,7 @@ class _Video:
 
     def frame(self, frame: Frame) -> None:
         """Convert the picture, while those before it are encoded."""
-        picture = converted(frame.pixels, self._converter)
+        picture = self._converter.convert(frame.pixels)
         if len(self._encoding) == AHEAD:
             self._encoding.popleft().result()
         self._encoding.append(self._thread.submit(self.encode, picture, frame.index))

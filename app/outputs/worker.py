@@ -2,8 +2,8 @@
 
     python -m app.outputs.worker DESCRIPTOR MODULE
 
-Requests come in on its standard input and are answered one by one on its standard output, with
-None or with what failed. Pictures lie in memory that both processes share, under the descriptor.
+Requests come in on its standard input and are answered one by one on its standard output. Pictures
+lie in memory that both processes share, under the descriptor.
 The module is that of the first encoder that will be asked for. The process ends when its input
 does, however the other one ended. See `remote.py`.
 """
@@ -17,13 +17,11 @@ from collections.abc import Iterator
 from contextlib import suppress
 from typing import BinaryIO
 
-import numpy as np
-from numpy.typing import NDArray
-
 from app.frames import Frame
 from app.outputs.kept import Encoder
 from app.outputs.promise import OutputError
-from app.outputs.remote import Begin, Picture, Request, shared_pictures
+from app.outputs.remote import Answer, Begin, Picture, Request
+from app.outputs.slots import Lender
 
 
 class Worker:
@@ -33,41 +31,31 @@ class Worker:
         """`memory` is the descriptor of the shared memory."""
         self._memory = memory
         self._failure: Exception | None = None
-        self._slots: NDArray[np.uint32]
+        self._pictures: Lender | None = None
         self._encoder: Encoder
 
     def serve(self, requests: BinaryIO, replies: BinaryIO) -> None:
         """Carry out all requests, and answer each."""
         for request in _each(requests):
-            frame = self._taken(request) if isinstance(request, Picture) else None
-            if frame is not None:
-                self._answer(replies)
             if self._failure is None:
                 try:
-                    self._carry_out(request, frame)
+                    self._carry_out(request)
                 except Exception as error:  # noqa: BLE001 - whoever asked is told
                     self._failure = _portable(error)
-            if frame is None:
-                self._answer(replies)
+            free = self._pictures.given_back() if self._pictures is not None else []
+            pickle.dump(Answer(self._failure, free), replies)
+            replies.flush()
 
-    def _taken(self, request: Picture) -> Frame:
-        pixels = self._slots[request.slot].copy()
-        pixels.flags.writeable = False
-        return Frame(request.number, pixels)
-
-    def _carry_out(self, request: Request, frame: Frame | None) -> None:
-        if frame is not None:
-            self._encoder.frame(frame)
+    def _carry_out(self, request: Request) -> None:
+        if isinstance(request, Picture):
+            assert self._pictures is not None
+            self._encoder.frame(Frame(request.number, self._pictures.lend(request.slot)))
         elif isinstance(request, Begin):
-            self._slots = shared_pictures(self._memory, request.slots, request.film)
+            self._pictures = Lender(self._memory, request.film)
             make = getattr(importlib.import_module(request.module), request.name)
             self._encoder = make(request.part, request.film)
         else:
             self._encoder.finish()
-
-    def _answer(self, replies: BinaryIO) -> None:
-        pickle.dump(self._failure, replies)
-        replies.flush()
 
 
 def _each(requests: BinaryIO) -> Iterator[Request]:

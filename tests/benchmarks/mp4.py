@@ -17,7 +17,8 @@ import av
 from av.video.reformatter import VideoReformatter
 from scene import export, film, frames
 
-from app.outputs.video import Mp4, converted
+from app.outputs.conversion import converted
+from app.outputs.video import Mp4
 
 ROUNDS = 3
 

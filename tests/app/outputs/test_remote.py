@@ -11,7 +11,8 @@ import pytest
 
 from app.frames import Film, Frame, Pixels, Sink
 from app.outputs import OutputError, open_sink, remote
-from app.outputs.remote import SLOTS, Remote
+from app.outputs.remote import Remote
+from app.outputs.slots import MOST
 
 FORMATS = ("film.mp4", "film.webm", "film.gif", "film.apng", "film.webp", "frames/")
 
@@ -148,7 +149,7 @@ def test_a_failure_comes_out_of_a_later_call(
     sink, _ = begun(target, film)
     sink.frame(Frame("one", pictures[1]))  # type: ignore[arg-type]
     with pytest.raises(RuntimeError, match="TypeError"):
-        shoot(sink, pictures[: SLOTS + 1])
+        shoot(sink, pictures[: MOST + 1])
     sink.abort()
     assert remaining(tmp_path) == ["film.gif"]
     assert target.read_bytes() == b"old"
