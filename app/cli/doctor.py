@@ -126,7 +126,7 @@ def _drawing() -> Iterator[Finding]:
 
 
 def _words() -> Iterator[Finding]:
-    from app.scenario.catalogue import languages
+    from screens.kit.words import languages
 
     yield Finding("ok", f"languages: {', '.join(languages())}")
 

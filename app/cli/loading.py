@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from app.cli import streams
-from app.scenario.load import Overrides, load
+from app.scenario.load import AS_WRITTEN, Overrides, load
 from app.scenario.mistakes import Mistake, ScenarioMistakes, render
 from app.scenario.model import Scenario
 from app.scenario.rehearse import rehearse
@@ -19,7 +19,7 @@ def load_all(
     mistakes: list[Mistake] = []
     for path in paths:
         try:
-            scenario = load(path, overrides or Overrides())
+            scenario = load(path, overrides or AS_WRITTEN)
         except ScenarioMistakes as refused:
             mistakes.extend(refused.mistakes)
         else:

@@ -3,7 +3,6 @@
 import gc
 import os
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from pathlib import Path
 
 from app.camera import NothingFilmed
@@ -103,7 +102,7 @@ def with_output(scenario: Scenario) -> Scenario:
     width, height = scenario.size
     filmable = installed("av") is not None and width % 2 == 0 and height % 2 == 0
     name = f"out/{Path(scenario.path).stem}{'.mp4' if filmable else '.gif'}"
-    return replace(scenario, outputs=(name,))
+    return scenario._replace(outputs=(name,))
 
 
 def written_twice(scenarios: Sequence[Scenario]) -> Iterator[str]:

@@ -2,10 +2,9 @@
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cache
-from importlib.resources import files
 from math import inf
+from typing import NamedTuple
 
 from app.gestures import FIELD
 from app.scenario.kinds import Number
@@ -21,8 +20,7 @@ NAVIGATION = "nav."
 """How the ids of the widgets begin that lead to another screen."""
 
 
-@dataclass(frozen=True)
-class Names:
+class Names(NamedTuple):
     """The names of one screen, or of several."""
 
     widgets: tuple[str, ...]
@@ -80,13 +78,6 @@ def of_all() -> Names:
         settings={name: setting for names in each for name, setting in names.settings.items()},
         fields={name: field for names in each for name, field in names.fields.items()},
     )
-
-
-@cache
-def languages() -> tuple[str, ...]:
-    """The languages that there are texts for."""
-    texts = files("assets").joinpath("text").iterdir()
-    return tuple(sorted(p.name.removesuffix(".toml") for p in texts if p.name.endswith(".toml")))
 
 
 def unknown_name(node: ScalarNode, names: Names, what: str) -> Refused:

@@ -1,9 +1,8 @@
 """The format of a scenario file: all that may stand in it, and what it becomes."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
 from math import inf
-from typing import Any
+from typing import Any, NamedTuple
 
 from app.scenario import model
 from app.scenario.catalogue import Names
@@ -28,8 +27,7 @@ Include = Callable[[str, Place], tuple[model.Step, ...]]
 """Reads the steps of the scenario file at a path, named at a place; raises Refused."""
 
 
-@dataclass(frozen=True)
-class Context:
+class Context(NamedTuple):
     """What the meaning of a file depends on, besides its text."""
 
     names: Names
@@ -37,8 +35,7 @@ class Context:
     include: Include
 
 
-@dataclass(frozen=True)
-class StepKind:
+class StepKind(NamedTuple):
     """How one step is written, and what it becomes."""
 
     kind: Kind[Any]
@@ -50,16 +47,14 @@ class StepKind:
     """Whether its place is that of the value rather than of the key."""
 
 
-@dataclass(frozen=True)
 class StepsKind:
     """The list of steps."""
 
-    context: Context
     name = "a list of steps, each starting with '- '"
-    kinds: dict[str, StepKind] = field(init=False, compare=False)
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "kinds", step_kinds(self))
+    def __init__(self, context: Context) -> None:
+        self.context = context
+        self.kinds = step_kinds(self)
 
     def read(self, node: Node, key: str) -> tuple[model.Step, ...]:
         if not isinstance(node, ListNode):
@@ -260,13 +255,14 @@ def _flow(steps: StepsKind) -> dict[str, StepKind]:
     }
 
 
-@dataclass(frozen=True)
-class RunKind:
+class RunKind(NamedTuple):
     """The path of another scenario file."""
 
     context: Context
 
-    name = "the path of a scenario file"
+    @property
+    def name(self) -> str:
+        return "the path of a scenario file"
 
     def read(self, node: Node, key: str) -> tuple[str, tuple[model.Step, ...]]:
         path = Text(1000).read(node, key)

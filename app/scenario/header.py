@@ -1,13 +1,14 @@
 """The header of a scenario file: version, screen, picture, outputs, settings."""
 
 import re
-from dataclasses import dataclass
+from typing import NamedTuple
 
-from app.scenario.catalogue import SCREENS, Names, languages, unknown_name
+from app.scenario.catalogue import SCREENS, Names, unknown_name
 from app.scenario.kinds import Choice, Field, Number, Schema, Text, wrong
 from app.scenario.mistakes import Mistake, Refused, refuse
 from app.scenario.nodes import MapNode, Node, ScalarNode
 from app.scenario.paths import Folders, OutputKind, OutputsKind
+from screens.kit.words import languages
 
 VERSION = 1
 RATES = ("60", "30", "20", "15", "12", "10")
@@ -23,7 +24,6 @@ MOST_PIXELS = 7680 * 4320
 """Of a picture: 8K."""
 
 
-@dataclass(frozen=True)
 class SizeKind:
     """Width x height in pixels."""
 
@@ -52,7 +52,6 @@ class SizeKind:
 _SIZE = re.compile(r"([0-9]{1,9})[xX×]([0-9]{1,9})")
 
 
-@dataclass(frozen=True)
 class VersionKind:
     """The version of the format."""
 
@@ -69,13 +68,14 @@ class VersionKind:
         return {"const": VERSION}
 
 
-@dataclass(frozen=True)
-class SettingsKind:
+class SettingsKind(NamedTuple):
     """Values for the lesson to start with."""
 
     names: Names
 
-    name = "a mapping of settings to numbers, such as {body.mass: 2}"
+    @property
+    def name(self) -> str:
+        return "a mapping of settings to numbers, such as {body.mass: 2}"
 
     def read(self, node: Node, key: str) -> dict[str, float]:
         if isinstance(node, ScalarNode) and node.is_nothing:

@@ -6,9 +6,8 @@ A kind is told the name of what it reads, so that its sentences can say "'seed' 
 import math
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, Protocol, TypeVar
+from typing import Any, Generic, NamedTuple, Protocol, TypeVar
 
 from app.scenario.mistakes import Mistake, Refused, nearest, quote, refuse, suggest
 from app.scenario.nodes import ListNode, MapNode, Node, ScalarNode, found
@@ -49,8 +48,7 @@ def plain(value: float) -> str:
     return str(int(value)) if float(value).is_integer() and abs(value) < 1e15 else repr(value)
 
 
-@dataclass(frozen=True)
-class Text:
+class Text(NamedTuple):
     """Words."""
 
     most: int = 200
@@ -94,8 +92,7 @@ class Text:
         return {"type": "string", "minLength": 1, "maxLength": self.most}
 
 
-@dataclass(frozen=True)
-class Number:
+class Number(NamedTuple):
     """A finite number within a range."""
 
     low: float
@@ -134,8 +131,7 @@ class Number:
         return schema
 
 
-@dataclass(frozen=True)
-class Time:
+class Time(NamedTuple):
     """A length of time, as `1s`, `250ms`, `2min` or a number of seconds; read as seconds."""
 
     longest: float = 3600.0
@@ -175,8 +171,7 @@ _TIME = re.compile(
 _SECONDS = {"ms": Fraction(1, 1000), "s": Fraction(1), "min": Fraction(60)}
 
 
-@dataclass(frozen=True)
-class Choice:
+class Choice(NamedTuple):
     """One of a few words or numbers."""
 
     options: tuple[str, ...]
@@ -212,8 +207,7 @@ def unknown(node: ScalarNode, what: str, known: Sequence[str], code: str) -> Ref
     return refuse(node.place, code, f"unknown {what} {quote(node.text)}", suggest(node.text, known))
 
 
-@dataclass(frozen=True)
-class Pair:
+class Pair(NamedTuple):
     """Two numbers, such as a place or two angles."""
 
     each: Number
@@ -234,8 +228,7 @@ class Pair:
         return {"type": "array", "items": self.each.schema(), "minItems": 2, "maxItems": 2}
 
 
-@dataclass(frozen=True)
-class ListOf(Kind[tuple[T, ...]]):
+class ListOf(NamedTuple, Generic[T]):
     """Several of one kind."""
 
     each: Kind[T]
@@ -271,8 +264,7 @@ def read_all(kind: Kind[T], nodes: Sequence[Node], key: str) -> list[T]:
     return values
 
 
-@dataclass(frozen=True)
-class Field:
+class Field(NamedTuple):
     """One key of a record."""
 
     kind: Kind[object]
@@ -289,8 +281,7 @@ class Field:
         return schema
 
 
-@dataclass(frozen=True)
-class Record(Kind[T]):
+class Record(NamedTuple, Generic[T]):
     """A mapping with known keys."""
 
     what: str

@@ -1,8 +1,8 @@
 """How much a scenario may ask for: counted from the file, without carrying anything out."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from fractions import Fraction
+from typing import NamedTuple
 
 from app.scenario.mistakes import Mistake
 from app.scenario.model import Drag, Repeat, Run, Screenshot, Speed, Step, Tilt, Wait
@@ -14,8 +14,7 @@ LONGEST = 3600
 """Seconds, of the simulated time as well as of the film."""
 
 
-@dataclass(frozen=True, slots=True)
-class Load:
+class Load(NamedTuple):
     """What some steps ask for."""
 
     steps: int = 0

@@ -2,9 +2,8 @@
 
 import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from app.scenario import limits
 from app.scenario.catalogue import NAVIGATION, SCREENS, Names, of_all, of_screen
@@ -22,8 +21,7 @@ DEEPEST_RUN = 8
 """Scenarios that run each other, one inside the other, at most."""
 
 
-@dataclass(frozen=True)
-class Overrides:
+class Overrides(NamedTuple):
     """What the command line says instead of the file; all of it text as it was typed."""
 
     seed: str | None = None
@@ -35,7 +33,11 @@ class Overrides:
     """Each as `name=value`."""
 
 
-def load(path: str, overrides: Overrides = Overrides(), working: Path | None = None) -> Scenario:
+AS_WRITTEN = Overrides()
+"""The command line says nothing instead of the file."""
+
+
+def load(path: str, overrides: Overrides = AS_WRITTEN, working: Path | None = None) -> Scenario:
     """The scenario in the file at `path`.
 
     `working` is the folder that outputs start from, the present one if not given. Raises
@@ -150,8 +152,7 @@ class _Files:
             )
 
 
-@dataclass(frozen=True, slots=True)
-class _Open:
+class _Open(NamedTuple):
     """A file that is being read."""
 
     real: str
@@ -191,7 +192,7 @@ def _names(root: Node) -> Names:
     if all(target in here for target in _tapped(root)):
         return own
     everything = of_all()
-    return replace(everything, settings=own.settings)
+    return everything._replace(settings=own.settings)
 
 
 def _tapped(node: Node) -> Iterator[str]:

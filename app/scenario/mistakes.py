@@ -3,7 +3,7 @@
 import difflib
 import unicodedata
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 SHOWN = 100
 """Characters of a source line that a mistake shows at most."""
@@ -43,8 +43,7 @@ SYNONYMS = {
 """Words that people try, from other programs, for those that there are."""
 
 
-@dataclass(frozen=True, slots=True)
-class Place:
+class Place(NamedTuple):
     """A stretch of one line of a file; lines and columns count from 1, in characters."""
 
     path: str
@@ -58,8 +57,7 @@ class Place:
     """The whole line."""
 
 
-@dataclass(frozen=True, slots=True)
-class Mistake:
+class Mistake(NamedTuple):
     """One thing to mend."""
 
     place: Place

@@ -2,8 +2,8 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fractions import Fraction
+from typing import NamedTuple
 
 from app.scenario.mistakes import Place
 from app.targets import Target
@@ -17,8 +17,7 @@ def ticks(seconds: float) -> int:
     return math.floor(Fraction(str(seconds)) * TICKS_PER_SECOND + Fraction(1, 2))
 
 
-@dataclass(frozen=True, slots=True)
-class Comparison:
+class Comparison(NamedTuple):
     """What a probe is held against; at least one of the values is there."""
 
     equals: float | None = None
@@ -56,16 +55,14 @@ class Comparison:
         return " and ".join(f"{word} {value:g}" for word, value in parts if value is not None)
 
 
-@dataclass(frozen=True, slots=True)
-class Tap:
+class Tap(NamedTuple):
     """Touch something."""
 
     place: Place
     target: Target
 
 
-@dataclass(frozen=True, slots=True)
-class Drag:
+class Drag(NamedTuple):
     """Pull from one place to another, in a straight line."""
 
     place: Place
@@ -75,16 +72,14 @@ class Drag:
     """Seconds."""
 
 
-@dataclass(frozen=True, slots=True)
-class Fill:
+class Fill(NamedTuple):
     """Type numbers into the fields of the open dialog, in this order."""
 
     place: Place
     values: Mapping[str, float]
 
 
-@dataclass(frozen=True, slots=True)
-class Tilt:
+class Tilt(NamedTuple):
     """Turn the device.
 
     With `to`: from the present tilt to this one, linearly, over `over` seconds. Otherwise along
@@ -100,16 +95,14 @@ class Tilt:
     """Time (s), roll, pitch (degrees)."""
 
 
-@dataclass(frozen=True, slots=True)
-class Wait:
+class Wait(NamedTuple):
     """Let time pass."""
 
     place: Place
     seconds: float
 
 
-@dataclass(frozen=True, slots=True)
-class Until:
+class Until(NamedTuple):
     """Wait until a probe satisfies a comparison, at most `within` seconds."""
 
     place: Place
@@ -118,8 +111,7 @@ class Until:
     within: float
 
 
-@dataclass(frozen=True, slots=True)
-class Expect:
+class Expect(NamedTuple):
     """A probe must satisfy a comparison now."""
 
     place: Place
@@ -127,24 +119,21 @@ class Expect:
     comparison: Comparison
 
 
-@dataclass(frozen=True, slots=True)
-class Caption:
+class Caption(NamedTuple):
     """Show these words until the next caption; an empty text takes them away."""
 
     place: Place
     text: str
 
 
-@dataclass(frozen=True, slots=True)
-class Marker:
+class Marker(NamedTuple):
     """Give this moment a name in the report."""
 
     place: Place
     name: str
 
 
-@dataclass(frozen=True, slots=True)
-class Screenshot:
+class Screenshot(NamedTuple):
     """Write the present picture to a PNG file."""
 
     place: Place
@@ -152,16 +141,14 @@ class Screenshot:
     """Relative to the working folder, or absolute."""
 
 
-@dataclass(frozen=True, slots=True)
-class Speed:
+class Speed(NamedTuple):
     """From here on the film runs at this multiple of true speed; the physics stays the same."""
 
     place: Place
     factor: float
 
 
-@dataclass(frozen=True, slots=True)
-class Hide:
+class Hide(NamedTuple):
     """Stop filming, or drawing taps or captions."""
 
     place: Place
@@ -169,8 +156,7 @@ class Hide:
     """`film`, `taps` or `captions`."""
 
 
-@dataclass(frozen=True, slots=True)
-class Show:
+class Show(NamedTuple):
     """Film again, or draw taps or captions again."""
 
     place: Place
@@ -178,8 +164,7 @@ class Show:
     """`film`, `taps` or `captions`."""
 
 
-@dataclass(frozen=True, slots=True)
-class Repeat:
+class Repeat(NamedTuple):
     """Do the steps several times."""
 
     place: Place
@@ -187,8 +172,7 @@ class Repeat:
     steps: tuple["Step", ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Run:
+class Run(NamedTuple):
     """Do the steps of another scenario file."""
 
     place: Place
@@ -216,8 +200,7 @@ Step = (
 """One entry of `steps:`; `place` is where its key stands, or what is tapped, or the path."""
 
 
-@dataclass(frozen=True, slots=True)
-class Scenario:
+class Scenario(NamedTuple):
     """A whole file, valid in itself; `rehearse` tells whether its taps find what they touch."""
 
     path: str

@@ -1,7 +1,7 @@
 """The tree of a YAML file, with the place of everything in it."""
 
 import re
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from app.scenario.mistakes import Place, quote
 
@@ -12,8 +12,7 @@ _NOTHING = ("", "~", "null", "Null", "NULL")
 _TRUTH = ("true", "True", "TRUE", "false", "False", "FALSE")
 
 
-@dataclass(frozen=True, slots=True)
-class ScalarNode:
+class ScalarNode(NamedTuple):
     """A single value."""
 
     place: Place
@@ -54,16 +53,14 @@ class ScalarNode:
         return float(self.text.replace(".", ""))
 
 
-@dataclass(frozen=True, slots=True)
-class ListNode:
+class ListNode(NamedTuple):
     """Several values."""
 
     place: Place
     items: tuple["Node", ...]
 
 
-@dataclass(frozen=True, slots=True)
-class MapNode:
+class MapNode(NamedTuple):
     """Values by key; no key occurs twice."""
 
     place: Place

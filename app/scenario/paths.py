@@ -2,8 +2,8 @@
 
 import os
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from app.outputs import SUFFIXES
 from app.scenario.kinds import Schema, Text, read_all, wrong
@@ -14,8 +14,7 @@ FILMS = (".mp4", ".webm")
 """Their pictures need even sides."""
 
 
-@dataclass(frozen=True)
-class Folders:
+class Folders(NamedTuple):
     """The folders that paths in a file may lead into."""
 
     working: Path
@@ -40,14 +39,15 @@ class Folders:
             )
 
 
-@dataclass(frozen=True)
-class OutputKind:
+class OutputKind(NamedTuple):
     """The path of a film, of pictures or of data."""
 
     folders: Folders | None
     """None: it may lie anywhere, because the person at the command line says so."""
 
-    name = "a path that ends in " + ", ".join(SUFFIXES) + " or /"
+    @property
+    def name(self) -> str:
+        return "a path that ends in " + ", ".join(SUFFIXES) + " or /"
 
     def read(self, node: Node, key: str) -> tuple[Place, str]:
         path = Text(1000).read(node, key)
@@ -74,8 +74,7 @@ def _hint(path: str) -> str:
     return "end it in one of: " + " ".join(SUFFIXES) + ", or in '/' for a folder of PNG frames"
 
 
-@dataclass(frozen=True)
-class OutputsKind:
+class OutputsKind(NamedTuple):
     """One output, or a list of them."""
 
     each: OutputKind
@@ -98,13 +97,14 @@ class OutputsKind:
         return {"anyOf": [one, {"type": "array", "items": one}]}
 
 
-@dataclass(frozen=True)
-class ScreenshotKind:
+class ScreenshotKind(NamedTuple):
     """The path of one picture."""
 
     folders: Folders
 
-    name = "a path that ends in .png"
+    @property
+    def name(self) -> str:
+        return "a path that ends in .png"
 
     def read(self, node: Node, key: str) -> str:
         path = Text(1000).read(node, key)

@@ -3,7 +3,6 @@
 import re
 from bisect import bisect_right
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
 
 from ruamel.yaml import YAML
 from ruamel.yaml.error import MarkedYAMLError
@@ -30,7 +29,7 @@ DEEPEST = 32
 
 _LINE_END = re.compile("\r\n|[\n\r\x85\u2028\u2029]")
 _UNPRINTABLE = re.compile(
-    "[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]"
+    "[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufeff\ufffe\uffff]"
 )
 _DIRECTIVE = re.compile(r"^%\S*", re.MULTILINE)
 _NO_CHARACTER = re.compile(r"\\U(?!000|0010)[0-9A-Fa-f]{8}")
@@ -208,7 +207,7 @@ class _Builder:
     def closed(self, opened: "_Open", end: Event) -> Node:
         place = opened.place
         if opened.is_flow and end.end_mark.line == place.line - 1:
-            place = replace(place, length=end.end_mark.column + 1 - place.column)
+            place = place._replace(length=end.end_mark.column + 1 - place.column)
         if not opened.is_mapping:
             return ListNode(place, tuple(opened.values))
         entries: dict[str, tuple[ScalarNode, Node]] = {}
@@ -237,7 +236,7 @@ class _Builder:
     def note(self, event: NodeEvent, code: str, sentence: str) -> None:
         place = self.place(event)
         word = _WORD.match(place.source, place.column - 1)
-        place = replace(place, length=len(word[0]) if word else 1)
+        place = place._replace(length=len(word[0]) if word else 1)
         self.mistakes.append(Mistake(place, code, sentence, "write the value out where it is used"))
 
     def place(self, event: Event) -> Place:
@@ -246,7 +245,7 @@ class _Builder:
         place = self.text.place(start.line, start.column, length)
         if end.line != start.line:
             rest = len(place.source.rstrip()) - start.column
-            return replace(place, length=max(1, rest))
+            return place._replace(length=max(1, rest))
         return place
 
     def syntax(self, error: MarkedYAMLError) -> Mistake:
@@ -263,15 +262,15 @@ class _Builder:
         return Mistake(place, "syntax", f"this is not YAML: {visible(problem)}")
 
 
-@dataclass(slots=True)
 class _Open:
     """A list or mapping whose end is still to come."""
 
-    place: Place
-    is_mapping: bool
-    is_flow: bool
-    """Whether it is written in brackets."""
-    values: list[Node] = field(default_factory=list)
+    def __init__(self, place: Place, is_mapping: bool, is_flow: bool) -> None:
+        """`is_flow`: whether it is written in brackets."""
+        self.place = place
+        self.is_mapping = is_mapping
+        self.is_flow = is_flow
+        self.values: list[Node] = []
 
 
 _WORD = re.compile(r"\S+")

@@ -1,10 +1,9 @@
 """The steps of a scenario file: what each may say, and what it becomes."""
 
 import re
-from dataclasses import dataclass
 from itertools import pairwise
 from math import inf
-from typing import Any
+from typing import Any, NamedTuple
 
 from app.gestures import typed
 from app.scenario import model
@@ -21,13 +20,14 @@ PLACE = Pair(ANY, "a place [x, y] in dp")
 _ID = re.compile(r"[a-z][a-z0-9]*(\.[a-z0-9_]+)+")
 
 
-@dataclass(frozen=True)
-class TargetKind:
+class TargetKind(NamedTuple):
     """Something to touch."""
 
     names: Names
 
-    name = "a widget's id, a label, or a place [x, y] in dp"
+    @property
+    def name(self) -> str:
+        return "a widget's id, a label, or a place [x, y] in dp"
 
     def read(self, node: Node, key: str) -> Target:
         if isinstance(node, ListNode):
@@ -43,13 +43,14 @@ class TargetKind:
         return {"anyOf": [{"enum": list(self.names.widgets)}, label, PLACE.schema()]}
 
 
-@dataclass(frozen=True)
-class ProbeKind:
+class ProbeKind(NamedTuple):
     """The name of a number that the lesson shows."""
 
     names: Names
 
-    name = "the name of a probe"
+    @property
+    def name(self) -> str:
+        return "the name of a probe"
 
     def read(self, node: Node, key: str) -> str:
         if not isinstance(node, ScalarNode) or not node.is_text:
@@ -66,13 +67,14 @@ class ProbeKind:
         return {"anyOf": schemas}
 
 
-@dataclass(frozen=True)
-class FillKind:
+class FillKind(NamedTuple):
     """Numbers for the fields of a dialog."""
 
     names: Names
 
-    name = "a mapping of fields to numbers, such as {mass: 2}"
+    @property
+    def name(self) -> str:
+        return "a mapping of fields to numbers, such as {mass: 2}"
 
     def read(self, node: Node, key: str) -> dict[str, float]:
         if not isinstance(node, MapNode) or not node.entries:
@@ -111,7 +113,6 @@ def fits(value: float) -> bool:
     return len(text) <= LONGEST and float(text) == value
 
 
-@dataclass(frozen=True)
 class CurvePoint:
     """One moment of a tilt: time, roll, pitch."""
 
@@ -142,7 +143,6 @@ def _mistakes(kind: Kind[Any], nodes: list[Node], key: str) -> tuple[Mistake, ..
     return ()
 
 
-@dataclass(frozen=True)
 class ShownKind:
     """What `hide` and `show` are about."""
 

@@ -1,7 +1,6 @@
 """The film that the benchmarks of the outputs make: the shipped Reactions scenario."""
 
 import tempfile
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -39,7 +38,7 @@ def film() -> Film:
 
 def export(*paths: Path | str) -> None:
     """Simulate and draw the scenario once, as `laws render` does, and write these outputs."""
-    render(replace(scenario(), outputs=tuple(map(str, paths))))
+    render(scenario()._replace(outputs=tuple(map(str, paths))))
 
 
 def play(sink: Sink) -> None:
