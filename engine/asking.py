@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 
 from engine.force_laws import effort
-from engine.kernels.fields import GIVEN
 from engine.settings import RK4, VELOCITY_VERLET, Laws
 from engine.store import Store
+from engine.tables.bodies import GIVEN
 
 Columns = dict[str, Any]
 """Arrays by the names of columns."""

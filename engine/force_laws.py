@@ -11,8 +11,8 @@ from engine import validate
 from engine.body import Body
 from engine.forces import Force, Torque
 from engine.inputs import noted
-from engine.kernels.fields import EVERY_BODY, GIVEN, POINT_GRAVITY, SPRING_TO
 from engine.tables import Fields, allocate, views
+from engine.tables.bodies import EVERY_BODY, GIVEN, POINT_GRAVITY, SPRING_TO
 from engine.vector import Vector
 
 if TYPE_CHECKING:

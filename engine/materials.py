@@ -1,6 +1,5 @@
 """Materials by their names, and what two of them are to each other."""
 
-import hashlib
 from typing import Any
 
 from engine import validate
@@ -24,6 +23,8 @@ def material_name(value: Any) -> str:
 
 def number_of(name: str) -> int:
     """The number that stands for a name in the tables: the same in all worlds, never 0."""
+    import hashlib  # it loads OpenSSL, which takes a moment
+
     return 1 + int.from_bytes(hashlib.sha256(name.encode()).digest()[:7])
 
 

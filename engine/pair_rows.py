@@ -5,7 +5,6 @@ from typing import Any
 import numpy as np
 
 from engine import validate
-from engine.kernels.rubbing import finish_mixing, static_friction
 from engine.settings import Rule
 from engine.tables import RESTING, Tables, arrays
 
@@ -21,6 +20,8 @@ def mix_by_rules(t: Tables, restitution: Rule, friction: Rule) -> None:
     Raises:
         TypeError, ValueError: for what is no coefficient; the list of pairs is then made anew.
     """
+    from engine.kernels.rubbing import finish_mixing, static_friction  # see `store`
+
     bodies, pairs = t.bodies, t.pairs
     stale, t.state.stale[0] = t.state.stale[0], 1
     for pair in range(t.counts.pairs[0]):

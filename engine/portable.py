@@ -16,13 +16,13 @@ from engine.force_laws import ActingLaw, PointGravity, SpringTo, checked_law
 from engine.forces import Force, LinearDrag, QuadraticDrag, Torque
 from engine.joints import KINDS as JOINTS
 from engine.joints import Joint
-from engine.linkage.modes import STRAINED
 from engine.materials import material_name
 from engine.plain import INFINITIES, Decoder, Functions, encode
 from engine.settings import INTEGRATORS, Laws, geometric_mean, larger
 from engine.shapes import Shape
 from engine.snapshot import Snapshot
 from engine.tables import Counts, Joints, Tables, allocate, arrays
+from engine.tables.linkage import STRAINED
 
 if TYPE_CHECKING:
     from engine.world import World

@@ -1,6 +1,5 @@
 """A copy of all that varies in a world, to come back to."""
 
-import hashlib
 import struct
 from dataclasses import dataclass
 from typing import Any
@@ -47,6 +46,8 @@ def digest(
     Names, callbacks, the process and the machine have no part in it; `rest` holds arrays of the
     resting contacts.
     """
+    import hashlib  # see `materials`
+
     hashed = hashlib.sha256(struct.pack("<qq", count, pushing))
     hashed.update(struct.pack(f"<{len(clock)}d", *clock))
     columns = [np.asarray(getattr(bodies, name))[:count] for name in STATE]

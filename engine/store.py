@@ -17,7 +17,6 @@ from engine.filters import ignored_columns, ignored_keys, pair_keys
 from engine.force_laws import ActingLaw, field_columns, field_table
 from engine.joints import Joint
 from engine.ledger import book_hand, totals
-from engine.linkage.tally import BREAKING, BROKEN
 from engine.materials import number_or_none
 from engine.pair_rows import forget, resting_columns
 from engine.shapes import Shape
@@ -33,6 +32,7 @@ from engine.tables import (
     sort_rows,
     views,
 )
+from engine.tables.linkage import BREAKING, BROKEN
 
 
 class Store:

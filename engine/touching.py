@@ -7,7 +7,6 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from engine.body import Body
-from engine.kernels.touches import number_of_tick
 from engine.store import Store
 from engine.tables import RESTING, SENSING, SLEEPING
 from engine.vector import Vector
@@ -102,6 +101,8 @@ def _listed(store: Store) -> Iterator[tuple[int, int, _Part]]:
 
 def _last_tick(store: Store) -> int:
     """Number of the last tick, as in `touches`."""
+    from engine.kernels.touches import number_of_tick  # see `store`
+
     return number_of_tick(store.tables) - 1
 
 

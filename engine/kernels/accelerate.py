@@ -16,9 +16,10 @@ Impacts happen at the velocity of the parabola, so that all four bounce truly.
 import math
 
 from engine.kernels.books import note_starts
-from engine.kernels.fields import EVERY_BODY, immerse, lead_of_euler
+from engine.kernels.fields import immerse, lead_of_euler
 from engine.settings import Laws
 from engine.tables import Bodies, Fields, Pushes
+from engine.tables.bodies import EVERY_BODY
 
 
 def accelerate(

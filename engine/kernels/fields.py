@@ -9,12 +9,7 @@ import math
 
 from engine.settings import EXPLICIT_EULER, RK4, SEMI_IMPLICIT_EULER, Laws
 from engine.tables import Bodies, Fields
-
-POINT_GRAVITY, SPRING_TO, GIVEN = 1, 2, 3
-"""Kinds of `Fields`."""
-
-EVERY_BODY = -1
-"""Row of a field that acts on all bodies."""
+from engine.tables.bodies import GIVEN, POINT_GRAVITY
 
 
 def immerse(

@@ -1,7 +1,8 @@
 """How impulses of joints get to the bodies and back: nodes hold what the joints change."""
 
-from engine.linkage.modes import STRAINED, bounds, coordinate_row, overstrained
+from engine.linkage.modes import bounds, coordinate_row, overstrained
 from engine.tables import Tables
+from engine.tables.linkage import STRAINED
 
 
 def lend(t: Tables, row: int, impulse: float) -> None:

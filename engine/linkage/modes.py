@@ -7,9 +7,7 @@ solving, taking back what pulls or overstrains, and solving again (an active set
 
 from engine.linkage.geometry import LINE, STRING
 from engine.tables import Tables
-
-FREE_WAY, FIXED, ELASTIC, AT_LOW, AT_HIGH, DRIVEN, STRAINED = 0, 1, 2, 3, 4, 5, 6
-"""Modes; a strained motor does all it can and fails to keep its speed."""
+from engine.tables.linkage import AT_HIGH, AT_LOW, DRIVEN, ELASTIC, FIXED, FREE_WAY, STRAINED
 
 TIGHT = 1e-9
 """Constraints hold to this share of the smaller body's reach (angles: rad)."""

@@ -13,8 +13,6 @@ from engine.linkage.impulses import add_up, lend, note_impulses, solve_for, take
 from engine.linkage.jolts import jolt_start
 from engine.linkage.limb_motion import brace_limbs, keep_limb_impulses
 from engine.linkage.modes import (
-    ELASTIC,
-    FREE_WAY,
     TIGHT,
     bounds,
     coordinate_row,
@@ -25,6 +23,7 @@ from engine.linkage.modes import (
 from engine.linkage.skyline import assemble, factorise, solve
 from engine.linkage.springs import miss, tune
 from engine.tables import Tables
+from engine.tables.linkage import ELASTIC, FREE_WAY
 
 MOST_STEPS = 40
 """Steps of Newton's method that a part has at most."""

@@ -3,9 +3,7 @@
 import math
 
 from engine.tables import Tables
-
-BREAKING, BROKEN = 1, 2
-"""States of a joint that gave way: in this tick; before."""
+from engine.tables.linkage import BREAKING
 
 
 def joints_that_act(t: Tables) -> int:

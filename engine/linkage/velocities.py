@@ -3,9 +3,10 @@
 from engine.linkage.geometry import aim, place_nodes
 from engine.linkage.impulses import add_up, lend, noted_impulse, solve_for, take
 from engine.linkage.limb_velocities import keep_limb_ends, prepare_limbs
-from engine.linkage.modes import DRIVEN, ELASTIC, STRAINED, coordinate_row
+from engine.linkage.modes import coordinate_row
 from engine.linkage.skyline import assemble, factorise, solve
 from engine.tables import Tables
+from engine.tables.linkage import DRIVEN, ELASTIC, STRAINED
 
 MOST_CHANGES = 30
 """How often limits and motors may change their minds in one instant."""

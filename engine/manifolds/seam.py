@@ -12,6 +12,7 @@ from engine.manifolds.link import OTHERS as ANOTHERS
 from engine.manifolds.link import OWN as ITS_OWN
 from engine.manifolds.round_hull import round_hull
 from engine.tables import Tables
+from engine.tables.bodies import HIDDEN, OTHERS, OWN, PLAIN
 
 DEEP = 0.1
 """Where its own sides see another hull deeper than this within, in reaches of the smaller body, a
@@ -19,9 +20,6 @@ piece takes its inner edges for sides: to part what overlaps, the shortest way i
 
 ALONGSIDE = 3
 """Whose a direction from a corner is, besides what `link` knows: it means the piece's own side."""
-
-PLAIN, OWN, OTHERS, HIDDEN = range(4)
-"""Corners: without seams; the outline arrives along a side of this piece, or of another; within."""
 
 
 def of_corner(t: Tables, row: int, x: float, y: float) -> int:

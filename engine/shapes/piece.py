@@ -17,7 +17,7 @@ class Seam(NamedTuple):
     """What other pieces of the body leave of a corner of a piece and of the side from it on."""
 
     kind: int
-    """Of the corner; see `manifolds.seam`."""
+    """Of the corner: `PLAIN`, `OWN`, `OTHERS` or `HIDDEN` of `Corners`."""
     low: Vector
     """Unit normals of the outline of all pieces, before and after the corner."""
     high: Vector

@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from engine.hulls import nearest_on_hull, sides
-from engine.manifolds.seam import HIDDEN, OTHERS, OWN, PLAIN
 from engine.shapes.piece import Piece, Seam
+from engine.tables.bodies import HIDDEN, OTHERS, OWN, PLAIN
 from engine.vector import Vector
 
 OUT = 1e-6

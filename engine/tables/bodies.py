@@ -4,6 +4,15 @@ from typing import NamedTuple
 
 from engine.tables.columns import Floats, Ints
 
+PLAIN, OWN, OTHERS, HIDDEN = range(4)
+"""Corners: without seams; the outline arrives along a side of this piece, or of another; within."""
+
+POINT_GRAVITY, SPRING_TO, GIVEN = 1, 2, 3
+"""Kinds of a field: two that are built in, and what a Python function gives."""
+
+EVERY_BODY = -1
+"""Row of a field that acts on all bodies."""
+
 
 class Bodies(NamedTuple):
     """One row a body, in the order of their ids. World frame, SI units."""
@@ -224,7 +233,7 @@ class Corners(NamedTuple):
     world_normal_x: Floats
     world_normal_y: Floats
     kind: Ints
-    """Whose the corner is, where pieces of a body join; see `manifolds.seam`."""
+    """Whose the corner is, where pieces of a body join: `PLAIN`, `OWN`, `OTHERS` or `HIDDEN`."""
     low_x: Floats
     """Unit normal of the body's outline before the corner, in the body's frame."""
     low_y: Floats
@@ -262,7 +271,7 @@ class Fields(NamedTuple):
     row: Ints
     """Of the body, or `fields.EVERY_BODY`."""
     kind: Ints
-    """`fields.POINT_GRAVITY`, `fields.SPRING_TO`, or `fields.GIVEN` by a Python function."""
+    """`POINT_GRAVITY`, `SPRING_TO` or `GIVEN`."""
     x: Floats
     """Where the centre of the field is (m, world); if given: force at the start of the tick (N)."""
     y: Floats

@@ -4,6 +4,13 @@ from typing import NamedTuple
 
 from engine.tables.columns import Floats, Ints
 
+FREE_WAY, FIXED, ELASTIC, AT_LOW, AT_HIGH, DRIVEN, STRAINED = range(7)
+"""What the coordinate of a joint does; a strained motor does all it can and fails to keep its
+speed."""
+
+BREAKING, BROKEN = 1, 2
+"""States of a joint that gave way: in this tick; before."""
+
 
 class Joints(NamedTuple):
     """One row a joint, in the order of their ids. What its rows constrain: `linkage.geometry`."""
@@ -51,9 +58,9 @@ class Joints(NamedTuple):
     break_torque: Floats
     """(N m)"""
     broken: Ints
-    """`BREAKING` or `BROKEN` (`linkage.tally`) if it gave way; else 0."""
+    """`BREAKING` or `BROKEN` if it gave way; else 0."""
     mode: Ints
-    """What the coordinate does: `FREE_WAY`, `FIXED`, ... of `linkage.modes`."""
+    """What the coordinate does: `FREE_WAY`, `FIXED` and so on."""
     impulse_0: Floats
     """Of its rows at the start of the last part of a tick (N s or N m s), to start from."""
     impulse_1: Floats
