@@ -5,8 +5,9 @@ from typing import Literal
 
 from app.scenario.mistakes import quote, suggest
 from screens.kit.geometry import Point, Rect
+from screens.kit.layout import SCREENS
 from screens.lesson import Lesson, Widget
-from screens.lessons import LESSONS
+from screens.lessons import lesson_class
 
 Target = str | Point
 """A widget's id, a label a pupil can read, or a place in dp."""
@@ -89,7 +90,7 @@ def _free_point(widgets: Sequence[Widget], widget: Widget) -> Point | None:
 def _missing(screen: str, widgets: Sequence[Widget], target: str) -> NoTarget:
     words = [widget.id for widget in widgets] + [widget.label for widget in widgets if widget.label]
     sentence = f"there is no {quote(target)} on the screen now"
-    if screen in LESSONS and target in LESSONS[screen].WIDGETS:
+    if screen in SCREENS and target in lesson_class(screen).WIDGETS:
         return NoTarget("missing", sentence, "it is there while a dialog is open: open it first")
     words = list(dict.fromkeys(words))
     return NoTarget("missing", sentence, suggest(target, words))

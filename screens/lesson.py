@@ -1,8 +1,7 @@
 """What the loop, the scenario checker and the outputs may ask of a lesson: nothing else."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from engine import Collision, World
 from screens.kit.events import Event
@@ -15,8 +14,7 @@ Dice = Callable[[], float]
 """Hands out the next number in 0 <= x < 1; the lesson never rolls dice of its own."""
 
 
-@dataclass(frozen=True, slots=True)
-class Setting:
+class Setting(NamedTuple):
     """A value that a scenario's `set:` may give to a lesson."""
 
     low: float
@@ -29,8 +27,7 @@ class Setting:
     """Whether only whole numbers make sense."""
 
 
-@dataclass(frozen=True, slots=True)
-class Widget:
+class Widget(NamedTuple):
     """Something that can be tapped or dragged."""
 
     id: str

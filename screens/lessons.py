@@ -4,24 +4,39 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from engine import Collision, World
-from screens.forces import Forces
-from screens.inertia import Inertia
 from screens.kit.events import Event, Resize, Tap, Tilt
 from screens.kit.geometry import Size
 from screens.kit.widgets import NAVIGATION, touched
 from screens.kit.words import Words
 from screens.lesson import Dice, Lesson, Widget
-from screens.reactions import Reactions
 
 if TYPE_CHECKING:
+    from screens.forces import Forces
+    from screens.inertia import Inertia
     from screens.kit.surface import Surface
+    from screens.reactions import Reactions
 
-LESSONS: Mapping[str, type[Inertia] | type[Forces] | type[Reactions]] = {
-    "inertia": Inertia,
-    "forces": Forces,
-    "reactions": Reactions,
-}
-"""By id, in the order of the laws."""
+
+def lesson_class(id: str) -> "type[Inertia] | type[Forces] | type[Reactions]":
+    """The class of a lesson by its id (see `layout.SCREENS`), loaded when it is first asked for.
+
+    Raises:
+        LookupError: if there is no such lesson.
+    """
+    match id:
+        case "inertia":
+            from screens.inertia import Inertia
+
+            return Inertia
+        case "forces":
+            from screens.forces import Forces
+
+            return Forces
+        case "reactions":
+            from screens.reactions import Reactions
+
+            return Reactions
+    raise LookupError(f"there is no lesson '{id}'")
 
 
 class Lessons:
@@ -98,6 +113,6 @@ class Lessons:
             self.lesson.update(self._tilt)
 
     def _make(self, id: str, settings: Mapping[str, float]) -> Lesson:
-        made = LESSONS[id](self.size, self._dice_for(id), settings, self._words)
+        made = lesson_class(id)(self.size, self._dice_for(id), settings, self._words)
         self._visited[id] = made
         return made

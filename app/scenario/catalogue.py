@@ -10,10 +10,11 @@ from app.gestures import FIELD
 from app.scenario.kinds import Number
 from app.scenario.mistakes import Refused, quote, refuse, suggest
 from app.scenario.nodes import ScalarNode
+from screens.kit import layout
 from screens.lesson import Setting
-from screens.lessons import LESSONS
+from screens.lessons import lesson_class
 
-SCREENS: tuple[str, ...] = tuple(LESSONS)
+SCREENS: tuple[str, ...] = layout.SCREENS
 """The lessons' ids, in their order."""
 
 NAVIGATION = "nav."
@@ -51,7 +52,7 @@ def numbered(pattern: str) -> str:
 @cache
 def of_screen(screen: str) -> Names:
     """The names of one screen."""
-    lesson = LESSONS[screen]
+    lesson = lesson_class(screen)
     fields = [name.removesuffix(FIELD) for name in lesson.WIDGETS if name.endswith(FIELD)]
     return Names(
         widgets=tuple(lesson.WIDGETS),

@@ -2,8 +2,7 @@
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, NamedTuple
 
 from screens.kit import theme
 from screens.kit.geometry import Point
@@ -17,8 +16,7 @@ SHORTEST = 1.4
 ROUND = (1.0, 2.0, 2.5, 5.0, 10.0)
 
 
-@dataclass(frozen=True, slots=True)
-class Kind:
+class Kind(NamedTuple):
     """One sort of vector: colour and head both tell it apart."""
 
     color: Color
@@ -30,8 +28,7 @@ REACTION = Kind(theme.ORANGE, "hollow")
 VELOCITY = Kind(theme.YELLOW, "hollow")
 
 
-@dataclass(frozen=True, slots=True)
-class Arrow:
+class Arrow(NamedTuple):
     """The outline of an arrow, ready to be drawn."""
 
     tail: Point

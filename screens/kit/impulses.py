@@ -1,7 +1,7 @@
 """What is seen of collisions between balls: the arrows of both impulses, and words beside them."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from engine import Body, Collision, Particle, Vector, Wall
 from screens.kit import arrows, hits, theme
@@ -27,8 +27,7 @@ CHARACTER, PILL = 5.8, Size(20.0, 22.0)
 """Room that words are given: for each character and around them (dp)."""
 
 
-@dataclass(frozen=True, slots=True)
-class Mark:
+class Mark(NamedTuple):
     """A collision that is still shown."""
 
     hit: Collision
@@ -62,7 +61,7 @@ def remember(
             if size < STRONGER * hits.size(kept[weakest].hit.impulse):
                 continue
             others = [*kept]
-            others[weakest] = replace(kept[weakest], place=None)
+            others[weakest] = kept[weakest]._replace(place=None)
         said = words(hit)
         found = place(hit, said, others)
         if found is None:

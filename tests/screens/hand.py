@@ -7,7 +7,7 @@ from screens.kit.events import Drag, Event, Key, Release, Tap, Tick
 from screens.kit.geometry import Point, Rect, Size
 from screens.kit.words import load_words
 from screens.lesson import Lesson
-from screens.lessons import LESSONS, Lessons
+from screens.lessons import Lessons, lesson_class
 
 PORTRAIT, LANDSCAPE = Size(360, 640), Size(640, 360)
 
@@ -15,7 +15,7 @@ PORTRAIT, LANDSCAPE = Size(360, 640), Size(640, 360)
 def lesson(
     id: str, settings: Mapping[str, float] | None = None, size: Size = PORTRAIT, seed: int = 1
 ) -> Lesson:
-    return LESSONS[id](size, Random(seed).random, settings or {}, load_words())
+    return lesson_class(id)(size, Random(seed).random, settings or {}, load_words())
 
 
 def lessons(first: str = "inertia", size: Size = PORTRAIT, seed: int = 1) -> Lessons:

@@ -8,11 +8,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from screens.kit.geometry import Point, Rect, Size
-from screens.kit.layout import TOUCH, columns, layout, rows
+from screens.kit.layout import SCREENS, TOUCH, columns, layout, rows
 from screens.kit.scale import dp_size
 from screens.kit.view import Room, View
 from screens.kit.widgets import MODAL
-from screens.lessons import LESSONS
 
 OPENS = {"inertia": "force.change", "forces": "cart.b", "reactions": None}
 
@@ -42,7 +41,7 @@ def test_parts_of_a_screen_lie_inside_it_and_apart(size: Size) -> None:
     assert all(apart(a, b) for a, b in combinations(parts, 2))
 
 
-@pytest.mark.parametrize("id", LESSONS)
+@pytest.mark.parametrize("id", SCREENS)
 @given(size=pictures)
 def test_widgets_lie_inside_the_screen_apart_and_are_large_enough(id: str, size: Size) -> None:
     shown = lesson(id, size=size)

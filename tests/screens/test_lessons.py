@@ -13,9 +13,10 @@ from hand import LANDSCAPE, PORTRAIT, feed, ids, lesson, lessons, tap, wait
 import screens
 from screens.kit.events import Key, Resize, Tap, Tilt
 from screens.kit.geometry import Point
+from screens.kit.layout import SCREENS
 from screens.kit.surface import Surface
 from screens.kit.words import MissingWords, Words, languages, load_words
-from screens.lessons import LESSONS
+from screens.lessons import lesson_class
 
 SOURCES = sorted(Path(screens.__file__).parent.rglob("*.py"))
 
@@ -44,7 +45,7 @@ def opened(id: str, size=PORTRAIT):
     return shown
 
 
-SHOWN = [(busy, id) for id in LESSONS] + [(opened, "inertia"), (opened, "forces")]
+SHOWN = [(busy, id) for id in SCREENS] + [(opened, "inertia"), (opened, "forces")]
 
 
 @pytest.mark.parametrize(("make", "id"), SHOWN)
@@ -70,11 +71,11 @@ def inner(shown) -> dict[str, object]:
     return {name: repr(value) if name == "carts" else value for name, value in held.items()}
 
 
-@pytest.mark.parametrize("id", LESSONS)
+@pytest.mark.parametrize("id", SCREENS)
 def test_catalogues_name_all_that_there_is(id: str) -> None:
     shown = busy(id)
     wait(shown, 200)
-    catalogue = LESSONS[id]
+    catalogue = lesson_class(id)
     probes = {re.sub(r"^particle\.\d+\.", "particle.N.", name) for name in shown.probes()}
     assert probes == set(catalogue.PROBES)
     there = set(ids(shown))
@@ -86,7 +87,7 @@ def test_catalogues_name_all_that_there_is(id: str) -> None:
     )
 
 
-@pytest.mark.parametrize("id", LESSONS)
+@pytest.mark.parametrize("id", SCREENS)
 def test_same_dice_and_events_give_the_same_world(id: str) -> None:
     assert busy(id).world.digest() == busy(id).world.digest()
 
@@ -140,8 +141,9 @@ from random import Random
 from screens.kit.events import Tap, Tick
 from screens.kit.geometry import Size
 from screens.kit.words import load_words
-from screens.lessons import LESSONS, Lessons
-for id in LESSONS:
+from screens.kit.layout import SCREENS
+from screens.lessons import Lessons
+for id in SCREENS:
     shown = Lessons(id, Size(360, 640), lambda id: Random(id).random, {}, load_words())
     for widget in shown.widgets():
         if not widget.id.startswith("nav."):
