@@ -1,8 +1,7 @@
 """What is in a world's books: momentum and energy, and where they came from and went."""
 
 import math
-from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -13,8 +12,7 @@ if TYPE_CHECKING:
     from engine.world import World
 
 
-@dataclass(frozen=True)
-class Impulses:
+class Impulses(NamedTuple):
     """Impulses that bodies received (N s)."""
 
     gravity: Vector
@@ -36,12 +34,10 @@ class Impulses:
     @property
     def total(self) -> Vector:
         """All together."""
-        each = [getattr(self, field.name) for field in fields(self)]
-        return Vector(math.fsum(v.x for v in each), math.fsum(v.y for v in each))
+        return Vector(math.fsum(v.x for v in self), math.fsum(v.y for v in self))
 
 
-@dataclass(frozen=True)
-class Work:
+class Work(NamedTuple):
     """Energy that bodies received (J)."""
 
     gravity: float
@@ -57,11 +53,10 @@ class Work:
     @property
     def total(self) -> float:
         """All together."""
-        return math.fsum(getattr(self, field.name) for field in fields(self))
+        return math.fsum(self)
 
 
-@dataclass(frozen=True)
-class Dissipated:
+class Dissipated(NamedTuple):
     """Energy that bodies lost (J)."""
 
     restitution: float
@@ -75,11 +70,10 @@ class Dissipated:
     @property
     def total(self) -> float:
         """All together."""
-        return math.fsum(getattr(self, field.name) for field in fields(self))
+        return math.fsum(self)
 
 
-@dataclass(frozen=True)
-class Ledger:
+class Ledger(NamedTuple):
     """The books of a world, from its beginning to now.
 
     Momentum is the sum of the impulses, kinetic energy the work less what was dissipated, both to
@@ -178,7 +172,4 @@ def _less(later: Any, earlier: Any) -> Any:
     """Each entry less that of an earlier ledger."""
     if isinstance(later, float):
         return later - earlier
-    if isinstance(later, Vector):
-        return Vector(later.x - earlier.x, later.y - earlier.y)
-    names = [field.name for field in fields(later)]
-    return type(later)(*(_less(getattr(later, n), getattr(earlier, n)) for n in names))
+    return type(later)(*map(_less, later, earlier))

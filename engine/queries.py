@@ -6,8 +6,7 @@ at a table, leave few of them to be examined one by one.
 
 import math
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -28,8 +27,7 @@ SLACK = 1e-9
 """By which bounding circles are larger than need be, as a share of the lengths compared."""
 
 
-@dataclass(frozen=True, slots=True)
-class Hit:
+class Hit(NamedTuple):
     """What a ray or a moving shape meets."""
 
     body: Body
@@ -41,8 +39,7 @@ class Hit:
     """Share of the way from start to end, 0..1; 0 if it starts inside."""
 
 
-@dataclass(frozen=True, slots=True)
-class Nearest:
+class Nearest(NamedTuple):
     """The body whose surface is nearest to a point."""
 
     body: Body

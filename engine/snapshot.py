@@ -1,8 +1,7 @@
 """A copy of all that varies in a world, to come back to."""
 
 import struct
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -27,8 +26,7 @@ UNUSUAL = {
 """More such columns, hashed only if a body differs from what most have."""
 
 
-@dataclass(frozen=True)
-class Snapshot:
+class Snapshot(NamedTuple):
     """What `World.snapshot` copied; good for `World.restore`, any number of times."""
 
     tables: dict[str, tuple[Any, ...]]

@@ -1,7 +1,6 @@
 """What touched what in the last tick, read from the tables as contacts of bodies."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -14,8 +13,7 @@ from engine.vector import Vector
 BEGIN, STAY, END = "begin", "stay", "end"
 
 
-@dataclass(frozen=True, slots=True)
-class Contact:
+class Contact(NamedTuple):
     """Two bodies that touched in the last tick, or did in the tick before and no longer do.
 
     They touch in a tick if an impact or a resting contact acts on them in it; a sensor and a body,

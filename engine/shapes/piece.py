@@ -1,7 +1,6 @@
 """The convex parts of which all shapes are made."""
 
 import math
-from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from engine.vector import Vector
@@ -26,8 +25,7 @@ class Seam(NamedTuple):
     end: float
 
 
-@dataclass(frozen=True)
-class Piece:
+class Piece(NamedTuple):
     """A convex part of a shape, as the tables keep it: the hull of some corners, rounded."""
 
     corners: tuple[Vector, ...]
@@ -47,8 +45,7 @@ class Piece:
 
     def moved(self, offset: Vector, angle: float) -> "Piece":
         """The piece turned about the origin (rad), then shifted (m), without its seams."""
-        return replace(
-            self,
+        return self._replace(
             seams=(),
             corners=tuple(turned(corner, offset, angle) for corner in self.corners),
             center=turned(self.center, offset, angle),

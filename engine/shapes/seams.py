@@ -8,7 +8,6 @@ along whose side the outline arrives answers for them.
 
 import math
 from collections.abc import Sequence
-from dataclasses import replace
 
 from engine.hulls import nearest_on_hull, sides
 from engine.shapes.piece import Piece, Seam
@@ -61,7 +60,7 @@ def _with_seams(piece: Piece, others: list[Piece]) -> Piece:
         start, end = _covered(piece.corners[i], piece.corners[(i + 1) % number], piece, others)
         seams.append(Seam(kind, low, high, start, end))
     plain = all(seam.kind == PLAIN and seam.start > seam.end for seam in seams)
-    return piece if plain else replace(piece, seams=tuple(seams))
+    return piece if plain else piece._replace(seams=tuple(seams))
 
 
 def _covered(start: Vector, end: Vector, piece: Piece, others: list[Piece]) -> tuple[float, float]:
