@@ -9,6 +9,7 @@ import os
 from functools import partial
 from typing import TYPE_CHECKING
 
+from app.formats import DATA, SUFFIXES, kind_of
 from app.outputs.promise import OutputError, Promise, check_place, explained
 
 if TYPE_CHECKING:
@@ -30,17 +31,6 @@ __all__ = [
     "prepare",
 ]
 
-SUFFIXES = {
-    ".mp4": "mp4",
-    ".webm": "webm",
-    ".gif": "gif",
-    ".apng": "apng",
-    ".webp": "webp",
-    ".csv": "csv",
-    ".json": "json",
-}
-"""Kind of an output by its suffix; a path that ends in "/" is of kind "png", a folder of frames."""
-
 LARGEST = {"gif": 65535, "webp": 16383, "mp4": 16384, "webm": 65535}
 """Pixels a side that a format can hold, where that is little."""
 
@@ -56,17 +46,6 @@ _ENCODERS = {
     "png": ("app.outputs.png", "Frames"),
     "csv": ("app.outputs.tracks", "Tracks"),
 }
-
-DATA = ("csv", "json")
-"""Kinds that hold no pictures."""
-
-
-def kind_of(path: str | os.PathLike[str]) -> str | None:
-    """The kind of output a path asks for, or None if its suffix is none of `SUFFIXES`."""
-    text = os.fspath(path)
-    if text.endswith(("/", os.sep)):
-        return "png"
-    return SUFFIXES.get(os.path.splitext(text)[1].lower())
 
 
 def check_output(path: str | os.PathLike[str], size: tuple[int, int], fps: int) -> None:

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from app.outputs import SUFFIXES
+from app.formats import SUFFIXES
 from app.scenario.kinds import Schema, Text, read_all, wrong
 from app.scenario.mistakes import Mistake, Place, quote, refuse
 from app.scenario.nodes import ListNode, MapNode, Node
