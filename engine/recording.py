@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from engine import portable, validate
-from engine.plain import encode
+from engine import validate
 from engine.snapshot import STATE
 
 if TYPE_CHECKING:
@@ -53,7 +52,7 @@ class Recording:
         """Begin to record a world; see `World.record`."""
         if world.recorder is not None:
             raise ValueError("the world is being recorded already")
-        recording = cls(portable.to_dict(world))
+        recording = cls(world.to_dict())
         recording._world = world
         world.recorder = recording
         return recording
@@ -83,13 +82,15 @@ class Recording:
 
         Functions that a body calls back are left out; of what was restored, all is kept.
         """
+        from engine.plain import encode  # see `store`
+
         if self._world is not None:
             restored = call == "restore"
             entry = {
                 "tick": self.ticks,
                 "on": None if target is self._world else encode(target),
                 "call": call,
-                "args": [portable.to_dict(self._world) if restored else encode(a) for a in args],
+                "args": [self._world.to_dict() if restored else encode(a) for a in args],
                 "given": {k: encode(v) for k, v in given.items() if not k.startswith("on_")},
             }
             self.inputs.append(entry)

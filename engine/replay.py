@@ -1,16 +1,18 @@
 """A recording played again, and compared with what was recorded."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from engine import portable, validate
+from engine import validate
 from engine.body import Body
 from engine.forces import Push
 from engine.inputs import is_input
-from engine.plain import Decoder, Functions
 from engine.recording import Recording, marks_of
 from engine.world import World
+
+if TYPE_CHECKING:
+    from engine.plain import Decoder, Functions
 
 OTHERWISE = "what bodies remember of their contacts and pushes is not what was recorded"
 
@@ -29,7 +31,7 @@ class Divergence(RuntimeError):
 
 
 def replay(
-    recording: Recording, functions: Functions | None = None, kernels: str = "auto"
+    recording: Recording, functions: "Functions | None" = None, kernels: str = "auto"
 ) -> World:
     """Make the world anew, do to it what was done, and compare; return it as it is at the end.
 
@@ -44,10 +46,13 @@ def replay(
         Divergence: at the first tick that does not end as it was recorded.
         TypeError, ValueError, LookupError: for a start that is no saved world.
     """
+    from engine.plain import Decoder  # see `store`
+    from engine.portable import KINDS
+
     if not isinstance(recording, Recording):
         raise TypeError(f"only a Recording can be replayed, not {recording!r:.50}")
     world = World.from_dict(recording.start, functions, kernels)
-    decode = Decoder(portable.KINDS, functions, lambda kind, id: _handle(world, kind, id))
+    decode = Decoder(KINDS, functions, lambda kind, id: _handle(world, kind, id))
     digests = {each["tick"]: each["digest"] for each in recording.digests}
     lengths = (dt for dt, ticks in recording.spans for _ in range(int(ticks)))
     waiting = list(reversed(recording.inputs))
@@ -65,11 +70,13 @@ def replay(
     return world
 
 
-def _do(world: World, entry: dict[str, Any], decode: Decoder, functions: Functions) -> None:
+def _do(world: World, entry: dict[str, Any], decode: "Decoder", functions: "Functions") -> None:
     """Carry out an input."""
     args = validate.listed(entry["args"], "the arguments of an input")
     if entry["call"] == "restore":
-        portable.refill(world, args[0], functions)
+        from engine.portable import refill
+
+        refill(world, args[0], functions)
         return
     target = world if entry["on"] is None else decode(entry["on"])
     call = getattr(type(target), str(entry["call"]), None)

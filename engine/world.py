@@ -2,9 +2,9 @@
 
 import math
 from collections.abc import Iterable, Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from engine import bulk, callbacks, ledger, portable, queries, touching, validate
+from engine import bulk, callbacks, ledger, queries, touching, validate
 from engine.asking import ask_functions
 from engine.body import Body, OnCollision, OnMove
 from engine.bulk import Tracks
@@ -18,7 +18,6 @@ from engine.inputs import noted, noted_only
 from engine.joints import Joint, OnBreak, Spec, joint_columns
 from engine.ledger import Ledger
 from engine.materials import pair_row
-from engine.plain import Functions
 from engine.queries import Choice, Hit, Nearest
 from engine.recording import Recording
 from engine.settings import TICK, Rule, Sleep, laws, rules
@@ -28,6 +27,9 @@ from engine.store import Store
 from engine.tables import Bodies, Tables
 from engine.touching import Contact
 from engine.vector import Vector
+
+if TYPE_CHECKING:
+    from engine.plain import Functions
 
 
 class World:
@@ -513,11 +515,13 @@ class World:
         The two go on bit for bit alike, in other processes and on other machines too. Functions
         that bodies call back are not saved; other functions (rules) are, by their names.
         """
+        from engine import portable  # see `store`
+
         return portable.to_dict(self)
 
     @classmethod
     def from_dict(
-        cls, data: dict[str, Any], functions: Functions | None = None, kernels: str = "auto"
+        cls, data: dict[str, Any], functions: "Functions | None" = None, kernels: str = "auto"
     ) -> "World":
         """Make the world that `to_dict` saved.
 
@@ -531,6 +535,8 @@ class World:
             TypeError, ValueError: in one sentence, for data of another version or damaged data.
             LookupError: for a function that is missing.
         """
+        from engine import portable  # see `store`
+
         world = cls(kernels=kernels)
         portable.refill(world, data, functions or {})
         return world

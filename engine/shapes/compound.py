@@ -11,7 +11,6 @@ from engine.shapes.concave import Concave
 from engine.shapes.piece import Piece
 from engine.shapes.polygon import Box, Polygon
 from engine.shapes.round import Capsule, Circle
-from engine.shapes.seams import sewn
 from engine.vector import Vector
 
 MOST_PARTS = 4096
@@ -69,6 +68,8 @@ class Compound:
     @cached_property
     def pieces(self) -> tuple[Piece, ...]:
         """The pieces of all parts, where they are."""
+        from engine.shapes.seams import sewn  # see `concave`
+
         return sewn(
             [piece.moved(at, angle) for shape, at, angle in self.parts for piece in shape.pieces]
         )

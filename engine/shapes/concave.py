@@ -1,4 +1,7 @@
-"""Polygons that need not be convex: several convex pieces that are one body."""
+"""Polygons that need not be convex: several convex pieces that are one body.
+
+How they are divided and sewn together is imported where it is called: most worlds need neither.
+"""
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
@@ -6,10 +9,8 @@ from functools import cached_property
 from typing import Any
 
 from engine import validate
-from engine.shapes.division import convex_parts, simple_corners
 from engine.shapes.moments import area_and_centroid, gyration
 from engine.shapes.piece import Piece
-from engine.shapes.seams import sewn
 from engine.vector import Vector
 
 MOST_VERTICES = 1000
@@ -42,6 +43,8 @@ class Concave:
 
     def __init__(self, vertices: Iterable[Any]) -> None:
         """Take three or more corners in sequence as (x, y) pairs (m)."""
+        from engine.shapes.division import convex_parts, simple_corners
+
         corners = simple_corners(validate.vectors(vertices, "vertices", MOST_VERTICES))
         area, centroid = area_and_centroid(corners)
         local = tuple(Vector(v.x - centroid.x, v.y - centroid.y) for v in corners)
@@ -54,6 +57,8 @@ class Concave:
     @cached_property
     def pieces(self) -> tuple[Piece, ...]:
         """The convex parts."""
+        from engine.shapes.seams import sewn
+
         return sewn([Piece(part, area_and_centroid(part)[1]) for part in self.parts])
 
     def inertia(self, mass: float) -> float:
