@@ -1,6 +1,7 @@
 """Columns of numbers, and what can be done to any table of them."""
 
-from typing import Any, Protocol, TypeVar, get_type_hints
+from inspect import get_annotations
+from typing import Any, Protocol, TypeVar
 
 import numpy as np
 
@@ -69,7 +70,7 @@ def allocate(table: type[Table], rows: int) -> Table:
     instead.
     """
     fields: tuple[str, ...] = getattr(table, "_fields")  # noqa: B009, bound to a plain tuple
-    kinds = get_type_hints(table)
+    kinds = get_annotations(table)
     together = side_by_side(table)
     apart = [name for name in fields if name not in together]
     lines = (rows + LINE - 1) // LINE | 1

@@ -1,6 +1,7 @@
 """All tables of a world."""
 
-from typing import NamedTuple, get_type_hints
+from inspect import get_annotations
+from typing import NamedTuple
 
 from engine.tables.bodies import Bodies, Corners, Fields, Materials, Pieces, Pushes
 from engine.tables.columns import Floats, Ints, allocate, views
@@ -220,7 +221,7 @@ ROWS = {
 
 def new_tables() -> Tables:
     """Make the tables of an empty world."""
-    kinds = get_type_hints(Tables)
+    kinds = get_annotations(Tables)
     return Tables(
         **{name: views(allocate(kinds[name], ROWS.get(name, 1))) for name in Tables._fields}
     )
