@@ -124,6 +124,29 @@ def test_nothing_heavy_is_imported_before_it_is_used(command, push, tmp_path):
     assert imported.isdisjoint({"pygame", "av", "numba", "PIL", "rich"})
 
 
+def test_checking_loads_only_what_the_file_needs(push, tmp_path):
+    _, _, err = laws("check", "push.yaml", folder=tmp_path, interpreter=("-X", "importtime"))
+    imported = {line.split("|")[2].strip() for line in err.splitlines() if "|" in line}
+    assert {"engine.world", "screens.inertia"} <= imported
+    unneeded = {
+        "app.examination",
+        "app.outputs",
+        "app.render",
+        "engine.kernels.tick",
+        "engine.linkage",
+        "engine.manifolds",
+        "engine.plain",
+        "engine.portable",
+        "engine.shapes.division",
+        "engine.shapes.seams",
+        "hashlib",
+        "screens.forces",
+        "screens.kit.surface",
+        "screens.reactions",
+    }
+    assert imported & unneeded == set()
+
+
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a disk that is always full")
 @pytest.mark.parametrize("arguments", [("list",), ("list", "--json"), ("schema",)])
 def test_a_result_that_cannot_be_written_is_no_riddle(arguments, tmp_path):
