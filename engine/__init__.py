@@ -1,13 +1,12 @@
 """A standalone 2D rigid-body engine: SI units, float64, +y up, angles counter-clockwise."""
 
 from engine.body import Body
-from engine.bulk import Tracks
 from engine.collision import Collision, Diverged, Removed
 from engine.force_laws import ActingLaw, PointGravity, SpringTo
 from engine.forces import Force, LinearDrag, Push, QuadraticDrag, Torque
+from engine.hits import Hit, Nearest
 from engine.joints import Distance, Joint, Pin, Pulley, Rope, Slider, Spring, Weld
 from engine.ledger import Ledger
-from engine.queries import Hit, Nearest
 from engine.recording import Recording
 from engine.replay import Divergence, replay
 from engine.settings import TICK, Sleep
@@ -25,6 +24,7 @@ from engine.shapes import (
 )
 from engine.snapshot import Snapshot
 from engine.touching import Contact
+from engine.tracks import Tracks
 from engine.vector import Vector
 from engine.world import World
 

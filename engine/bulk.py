@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,6 +10,7 @@ from engine import kinds, tables, validate
 from engine.clockwork import Clockwork
 from engine.collision import Collision
 from engine.shapes import Barrier, Particle
+from engine.tracks import Tracks
 
 if TYPE_CHECKING:
     from engine.world import World
@@ -24,41 +24,6 @@ RECORDED = ("x", "y", "angle", "vx", "vy", "spin", "force_x", "force_y", "torque
 
 BLOCK = 1 << 18
 """Rows of tracks that kernels write at once (a row a body and tick)."""
-
-
-@dataclass(frozen=True)
-class Tracks:
-    """What `World.run` recorded: a row a moment, a column a body."""
-
-    times: Any
-    """Array (ticks + 1,): time of the world (s), the start first."""
-    ids: Any
-    """Array (bodies,): the bodies that were there at the start, in order."""
-    columns: dict[str, Any]
-    """For each recorded name an array (ticks + 1, bodies); NaN once a body is removed."""
-    collisions: tuple[Collision, ...]
-    """In order of time, if they were asked for."""
-    collision_count: int
-    """How many there were, asked for or not."""
-
-    def __getitem__(self, name: str) -> Any:
-        """One recorded name: an array (ticks + 1, bodies)."""
-        if name not in self.columns:
-            raise KeyError(
-                f"{name!r} was not recorded, only {', '.join(self.columns) or 'nothing'}"
-            )
-        return self.columns[name]
-
-    def __iter__(self) -> Iterator[str]:
-        """The recorded names."""
-        return iter(self.columns)
-
-    def of(self, id: int) -> dict[str, Any]:
-        """The columns of one body, by name: arrays (ticks + 1,)."""
-        place = np.flatnonzero(self.ids == id)
-        if not len(place):
-            raise LookupError(f"there is no body {id} in these tracks")
-        return {name: column[:, place[0]] for name, column in self.columns.items()}
 
 
 def run(

@@ -6,12 +6,13 @@ at a table, leave few of them to be examined one by one.
 
 import math
 from collections.abc import Iterable, Iterator
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from engine import filters, validate
 from engine.body import Body
+from engine.hits import Hit, Nearest
 from engine.hulls import (
     Hull,
     difference,
@@ -27,32 +28,8 @@ SLACK = 1e-9
 """By which bounding circles are larger than need be, as a share of the lengths compared."""
 
 
-class Hit(NamedTuple):
-    """What a ray or a moving shape meets."""
-
-    body: Body
-    point: Vector
-    """On the surface of the body (m, world); of a ray that starts inside, its start."""
-    normal: Vector
-    """Unit vector out of the body, at the nearest surface if it starts inside."""
-    fraction: float
-    """Share of the way from start to end, 0..1; 0 if it starts inside."""
-
-
-class Nearest(NamedTuple):
-    """The body whose surface is nearest to a point."""
-
-    body: Body
-    point: Vector
-    """On its surface (m, world)."""
-    normal: Vector
-    """Unit vector out of the body there."""
-    distance: float
-    """From its surface (m), negative inside."""
-
-
 class Choice:
-    """Which bodies a question is about: those of some categories, sensors and some left out."""
+    """Bodies of some categories, without sensors, and what can be asked about them."""
 
     def __init__(self, store: Store, mask: Any, leave_out: Any) -> None:
         """Check what was given.
@@ -113,86 +90,98 @@ class Choice:
         ]
         return placed(local, at, t.bodies.angle[row]), t.pieces.radius[piece]
 
+    def at_point(self, point: Any) -> list[Body]:
+        """Bodies that contain a point, the surface included, in the order of ids."""
+        p = validate.vector(point, "point")
+        found = set()
+        for piece in self.pieces_near(p, p, 0.0):
+            hull, radius = self.hull(piece)
+            if nearest_on_hull(hull, p)[0] <= radius:
+                found.add(self.store.tables.pieces.body[piece])
+        return [self.store.handles[row] for row in sorted(found)]
+
+    def in_box(self, low: Any, high: Any) -> list[Body]:
+        """Bodies that touch an upright box, in the order of ids."""
+        first, last = validate.vector(low, "low"), validate.vector(high, "high")
+        if first.x > last.x or first.y > last.y:
+            raise ValueError(
+                f"low must not be beyond high, but {tuple(first)} is beyond {tuple(last)}"
+            )
+        box = [first, Vector(last.x, first.y), last, Vector(first.x, last.y)]
+        middle = Vector((first.x + last.x) / 2.0, (first.y + last.y) / 2.0)
+        found = set()
+        for piece in self.pieces_near(middle, middle, math.dist(first, last) / 2.0):
+            hull, radius = self.hull(piece)
+            if nearest_on_hull(difference(hull, box), Vector(0.0, 0.0))[0] <= radius:
+                found.add(self.store.tables.pieces.body[piece])
+        return [self.store.handles[row] for row in sorted(found)]
+
+    def along_ray(self, start: Any, end: Any) -> list[Hit]:
+        """What a ray enters on its way, in order: each body once, where it is first entered."""
+        a, b = validate.vector(start, "start"), validate.vector(end, "end")
+        way = Vector(b.x - a.x, b.y - a.y)
+        hits = []
+        for piece in self.pieces_near(a, b, 0.0):
+            hull, radius = self.hull(piece)
+            if comes_from_behind(self.store, piece, hull, way):
+                continue
+            fraction, normal = ray_to_hull(hull, radius, a, way)
+            if fraction <= 1.0:
+                point = Vector(a.x + fraction * way.x, a.y + fraction * way.y)
+                hits.append(Hit(self.body(piece), point, normal, fraction))
+        return in_order(hits)
+
+    def along_sweep(self, shape: Shape, start: Any, end: Any, angle: Any) -> list[Hit]:
+        """What a shape touches that moves from start to end without turning, in order."""
+        if not isinstance(shape, Shape):
+            raise TypeError(f"only a shape can be cast, not {shape!r}")
+        if isinstance(shape, Barrier):
+            raise ValueError(f"a wall is immovable: {shape} cannot be cast")
+        a, b = validate.vector(start, "start"), validate.vector(end, "end")
+        turned = validate.finite(angle, "angle")
+        hits = []
+        for cast in shape.pieces:
+            hits += self.sweep_piece(cast, a, b, turned)
+        return in_order(hits)
+
+    def sweep_piece(self, cast: Piece, a: Vector, b: Vector, angle: float) -> list[Hit]:
+        """What a convex piece touches that moves with its body's centre from a to b."""
+        way = Vector(b.x - a.x, b.y - a.y)
+        own = placed(cast.corners, Vector(0.0, 0.0), angle)
+        swing = cast.radius + max(math.dist(corner, (0.0, 0.0)) for corner in own)
+        hits = []
+        for piece in self.pieces_near(a, b, swing):
+            hull, radius = self.hull(piece)
+            if comes_from_behind(self.store, piece, hull, way):
+                continue
+            fraction, normal = ray_to_hull(difference(hull, own), radius + cast.radius, a, way)
+            if fraction <= 1.0:
+                at = Vector(a.x + fraction * way.x, a.y + fraction * way.y)
+                there = [Vector(at.x + corner.x, at.y + corner.y) for corner in own]
+                point = touching_point(hull, radius, there, normal)
+                hits.append(Hit(self.body(piece), point, normal, fraction))
+        return hits
+
+    def nearest_to(self, point: Any, within: Any) -> Nearest | None:
+        """The body whose surface is nearest to a point; None if none is `within` (m) reach."""
+        p = validate.vector(point, "point")
+        far = math.inf if within == math.inf else validate.not_negative(within, "within")
+        best: Nearest | None = None
+        pieces = self.pieces() if far == math.inf else self.pieces_near(p, p, far)
+        for piece in pieces:
+            hull, radius = self.hull(piece)
+            distance, normal = nearest_on_hull(hull, p)
+            distance -= radius
+            if distance <= far and (best is None or distance < best.distance):
+                surface = Vector(p.x - distance * normal.x, p.y - distance * normal.y)
+                best = Nearest(self.body(piece), surface, normal, distance)
+        return best
+
 
 def placed(corners: Iterable[Vector], at: Vector, angle: float) -> Hull:
     """Corners of a body's frame, in the world."""
     cos, sin = math.cos(angle), math.sin(angle)
     return [Vector(at.x + cos * p.x - sin * p.y, at.y + sin * p.x + cos * p.y) for p in corners]
-
-
-def at_point(choice: Choice, point: Any) -> list[Body]:
-    """Bodies that contain a point, the surface included, in the order of ids."""
-    p = validate.vector(point, "point")
-    found = set()
-    for piece in choice.pieces_near(p, p, 0.0):
-        hull, radius = choice.hull(piece)
-        if nearest_on_hull(hull, p)[0] <= radius:
-            found.add(choice.store.tables.pieces.body[piece])
-    return [choice.store.handles[row] for row in sorted(found)]
-
-
-def in_box(choice: Choice, low: Any, high: Any) -> list[Body]:
-    """Bodies that touch an upright box, in the order of ids."""
-    first, last = validate.vector(low, "low"), validate.vector(high, "high")
-    if first.x > last.x or first.y > last.y:
-        raise ValueError(f"low must not be beyond high, but {tuple(first)} is beyond {tuple(last)}")
-    box = [first, Vector(last.x, first.y), last, Vector(first.x, last.y)]
-    middle = Vector((first.x + last.x) / 2.0, (first.y + last.y) / 2.0)
-    found = set()
-    for piece in choice.pieces_near(middle, middle, math.dist(first, last) / 2.0):
-        hull, radius = choice.hull(piece)
-        if nearest_on_hull(difference(hull, box), Vector(0.0, 0.0))[0] <= radius:
-            found.add(choice.store.tables.pieces.body[piece])
-    return [choice.store.handles[row] for row in sorted(found)]
-
-
-def along_ray(choice: Choice, start: Any, end: Any) -> list[Hit]:
-    """What a ray enters on its way, in order: each body once, where it is first entered."""
-    a, b = validate.vector(start, "start"), validate.vector(end, "end")
-    way = Vector(b.x - a.x, b.y - a.y)
-    hits = []
-    for piece in choice.pieces_near(a, b, 0.0):
-        hull, radius = choice.hull(piece)
-        if comes_from_behind(choice.store, piece, hull, way):
-            continue
-        fraction, normal = ray_to_hull(hull, radius, a, way)
-        if fraction <= 1.0:
-            point = Vector(a.x + fraction * way.x, a.y + fraction * way.y)
-            hits.append(Hit(choice.body(piece), point, normal, fraction))
-    return in_order(hits)
-
-
-def along_sweep(choice: Choice, shape: Shape, start: Any, end: Any, angle: Any) -> list[Hit]:
-    """What a shape touches that moves from start to end without turning, in order."""
-    if not isinstance(shape, Shape):
-        raise TypeError(f"only a shape can be cast, not {shape!r}")
-    if isinstance(shape, Barrier):
-        raise ValueError(f"a wall is immovable: {shape} cannot be cast")
-    a, b = validate.vector(start, "start"), validate.vector(end, "end")
-    turned = validate.finite(angle, "angle")
-    hits = []
-    for cast in shape.pieces:
-        hits += sweep_piece(choice, cast, a, b, turned)
-    return in_order(hits)
-
-
-def sweep_piece(choice: Choice, cast: Piece, a: Vector, b: Vector, angle: float) -> list[Hit]:
-    """What a convex piece touches that moves with its body's centre from a to b."""
-    way = Vector(b.x - a.x, b.y - a.y)
-    own = placed(cast.corners, Vector(0.0, 0.0), angle)
-    swing = cast.radius + max(math.dist(corner, (0.0, 0.0)) for corner in own)
-    hits = []
-    for piece in choice.pieces_near(a, b, swing):
-        hull, radius = choice.hull(piece)
-        if comes_from_behind(choice.store, piece, hull, way):
-            continue
-        fraction, normal = ray_to_hull(difference(hull, own), radius + cast.radius, a, way)
-        if fraction <= 1.0:
-            at = Vector(a.x + fraction * way.x, a.y + fraction * way.y)
-            there = [Vector(at.x + corner.x, at.y + corner.y) for corner in own]
-            point = touching_point(hull, radius, there, normal)
-            hits.append(Hit(choice.body(piece), point, normal, fraction))
-    return hits
 
 
 def comes_from_behind(store: Store, piece: int, hull: Hull, way: Vector) -> bool:
@@ -209,19 +198,3 @@ def in_order(hits: list[Hit]) -> list[Hit]:
     for hit in sorted(hits, key=lambda hit: (hit.fraction, hit.body.id)):
         first.setdefault(hit.body.id, hit)
     return list(first.values())
-
-
-def nearest_to(choice: Choice, point: Any, within: Any) -> Nearest | None:
-    """The body whose surface is nearest to a point; None if none is `within` (m) reach."""
-    p = validate.vector(point, "point")
-    far = math.inf if within == math.inf else validate.not_negative(within, "within")
-    best: Nearest | None = None
-    pieces = choice.pieces() if far == math.inf else choice.pieces_near(p, p, far)
-    for piece in pieces:
-        hull, radius = choice.hull(piece)
-        distance, normal = nearest_on_hull(hull, p)
-        distance -= radius
-        if distance <= far and (best is None or distance < best.distance):
-            surface = Vector(p.x - distance * normal.x, p.y - distance * normal.y)
-            best = Nearest(choice.body(piece), surface, normal, distance)
-    return best

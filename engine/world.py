@@ -4,21 +4,20 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
-from engine import bulk, callbacks, ledger, queries, touching, validate
+from engine import callbacks, ledger, touching, validate
 from engine.asking import ask_functions
 from engine.body import Body, OnCollision, OnMove
-from engine.bulk import Tracks
 from engine.clockwork import Clockwork
 from engine.collision import Collision, Removed
 from engine.enrol import initial_values
 from engine.filters import ALL
 from engine.force_laws import ActingLaw, Law, checked_bodies, checked_law, energy_in_fields
 from engine.forces import Drag, Push
+from engine.hits import Hit, Nearest
 from engine.inputs import noted, noted_only
 from engine.joints import Joint, OnBreak, Spec, joint_columns
 from engine.ledger import Ledger
 from engine.materials import pair_row
-from engine.queries import Choice, Hit, Nearest
 from engine.recording import Recording
 from engine.settings import TICK, Rule, Sleep, laws, rules
 from engine.shapes import Shape
@@ -26,10 +25,12 @@ from engine.snapshot import Snapshot
 from engine.store import Store
 from engine.tables import Bodies, Tables
 from engine.touching import Contact
+from engine.tracks import Tracks
 from engine.vector import Vector
 
 if TYPE_CHECKING:
     from engine.plain import Functions
+    from engine.queries import Choice
 
 
 class World:
@@ -108,10 +109,14 @@ class World:
             record: which of x, y, angle, vx, vy, spin, force_x, force_y, torque to keep.
             collisions: whether to keep the collisions as well.
         """
+        from engine import bulk  # see `store`
+
         return bulk.run(self, self._clockwork, ticks, dt, record, collisions)
 
     def state(self) -> Any:
         """Read all bodies at once: an array of a row a body of id, x, y, angle, vx, vy, spin."""
+        from engine import bulk  # see `store`
+
         return bulk.state(self)
 
     @noted
@@ -120,6 +125,8 @@ class World:
 
         Walls may be among them where they are; a particle must have no spin.
         """
+        from engine import bulk  # see `store`
+
         bulk.set_state(self, state)
 
     @noted
@@ -326,13 +333,13 @@ class World:
             mask: bits of the categories in question.
             leave_out: bodies that are not in question.
         """
-        return queries.at_point(Choice(self.store, mask, leave_out), point)
+        return self._choice(mask, leave_out).at_point(point)
 
     def query_box(
         self, low: Any, high: Any, mask: int = ALL, leave_out: Iterable[Body] = ()
     ) -> list[Body]:
         """Bodies that touch the upright box between two corners (m), in the order of ids."""
-        return queries.in_box(Choice(self.store, mask, leave_out), low, high)
+        return self._choice(mask, leave_out).in_box(low, high)
 
     def cast_ray(
         self, start: Any, end: Any, mask: int = ALL, leave_out: Iterable[Body] = ()
@@ -348,7 +355,7 @@ class World:
         self, start: Any, end: Any, mask: int = ALL, leave_out: Iterable[Body] = ()
     ) -> list[Hit]:
         """All bodies on the way from start to end (m), by distance, then by ids."""
-        return queries.along_ray(Choice(self.store, mask, leave_out), start, end)
+        return self._choice(mask, leave_out).along_ray(start, end)
 
     def cast_shape(
         self,
@@ -363,8 +370,8 @@ class World:
 
         It keeps its angle (rad). What it touches at the start is hit at once.
         """
-        choice = Choice(self.store, mask, leave_out)
-        return next(iter(queries.along_sweep(choice, shape, start, end, angle)), None)
+        met = self._choice(mask, leave_out).along_sweep(shape, start, end, angle)
+        return next(iter(met), None)
 
     def nearest(
         self,
@@ -374,7 +381,13 @@ class World:
         within: float = math.inf,
     ) -> Nearest | None:
         """The body whose surface is nearest to a point; None if none is `within` (m) reach."""
-        return queries.nearest_to(Choice(self.store, mask, leave_out), point, within)
+        return self._choice(mask, leave_out).nearest_to(point, within)
+
+    def _choice(self, mask: int, leave_out: Iterable[Body]) -> "Choice":
+        """Which bodies a question is about."""
+        from engine.queries import Choice  # see `store`
+
+        return Choice(self.store, mask, leave_out)
 
     def __iter__(self) -> Iterator[Body]:
         """The bodies, walls too, in the order of their ids."""
