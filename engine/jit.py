@@ -41,6 +41,7 @@ SOURCES = (
     "kernels.contacts",
     "kernels.fields",
     "kernels.following",
+    "kernels.halting",
     "kernels.impacts",
     "kernels.impulses",
     "kernels.joined_impacts",

@@ -7,7 +7,7 @@ import numpy as np
 
 from engine.body import Body
 from engine.store import Store
-from engine.tables import RESTING, SENSING, SLEEPING
+from engine.tables import RESTING, SENSING, SLEEPING, Pairs
 from engine.vector import Vector
 
 BEGIN, STAY, END = "begin", "stay", "end"
@@ -51,7 +51,7 @@ class _Part(NamedTuple):
 def contacts(store: Store) -> list[Contact]:
     """All contacts of the last tick, in the order of the ids of their bodies."""
     parts: dict[tuple[int, int], list[_Part]] = {}
-    for a, b, part in [*_listed(store), *_parted(store)]:
+    for a, b, part in [*_listed(store, _handed_on(store)), *_parted(store)]:
         parts.setdefault((a, b), []).append(part)
     return [_joined(store, a, b, parts[a, b]) for a, b in sorted(parts)]
 
@@ -72,9 +72,30 @@ def _joined(store: Store, a: int, b: int, parts: list[_Part]) -> Contact:
     )
 
 
-def _listed(store: Store) -> Iterator[tuple[int, int, _Part]]:
+def _handed_on(store: Store) -> Pairs:
+    """Pairs that have given what steady loads did not bear besides, as the kernels have it counted
+    where a steady tick is cut short.
+    """
+    from engine.kernels.halting import hand_on  # see `store`
+
+    t, count = store.tables, store.count("pairs")
+    rests = np.asarray(t.pairs.state)[:count] == RESTING
+    steady = np.flatnonzero(rests & (np.asarray(t.pairs.steady)[:count] == 1))
+    if len(steady) == 0:
+        return t.pairs
+    given = {name: np.array(getattr(t.pairs, name)) for name in ("given_x", "given_y")}
+    names = ("shift_x", "shift_y", "cluster", "stirred")
+    scratch = {name: np.array(getattr(t.bodies, name)) for name in names}
+    copy = t._replace(
+        pairs=t.pairs._replace(**given, resting=steady), bodies=t.bodies._replace(**scratch)
+    )
+    hand_on(copy, store.count("bodies"), len(steady), 1.0)
+    return copy.pairs
+
+
+def _listed(store: Store, pairs: Pairs) -> Iterator[tuple[int, int, _Part]]:
     """Of the pairs in the list, those that touch or did in the tick before, by ids."""
-    pairs, count, tick = store.tables.pairs, store.count("pairs"), _last_tick(store)
+    count, tick = store.count("pairs"), _last_tick(store)
     state = np.asarray(pairs.state)[:count]
     touched = np.asarray(pairs.touched)[:count]
     ids = store.tables.bodies.id

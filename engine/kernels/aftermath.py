@@ -4,12 +4,25 @@ All that joints moved with the two has to be looked at too, each pair once.
 """
 
 from engine.kernels.agenda import enqueue
-from engine.kernels.following import closes_faster
-from engine.kernels.meeting import approach_at, find_meeting, notice_passing
+from engine.kernels.circles import stillness
+from engine.kernels.following import closes_faster, turning
+from engine.kernels.meeting import approach_of, fastest_within, find_meeting, notice_passing
+from engine.kernels.pose import place_pair
 from engine.kernels.resting import OVERLAP, explained_speed
 from engine.linkage.answers import changed, has_braces
 from engine.linkage.limb_impacts import bone_changed, tree_at
-from engine.tables import FREE, NEVER, RESTING, Tables
+from engine.manifolds.any_pair import touching_points
+from engine.tables import FREE, LATER, NEVER, RESTING, Tables
+
+TILT = 0.003
+"""If a pair that rests turns by more until its part is over (rad), its other corner is seen to."""
+
+BLOWS = 8
+"""After so many on end within a substep, what rests is left to the sweeps of the next part: blows
+to and fro between what is wedged take ever so many to come to an end."""
+
+LOOKS = 3
+"""Steps of Newton's method: each doubles the number of digits."""
 
 
 def look_again(t: Tables, row: int, time: float, part: float, queued: int, strict: bool) -> int:
@@ -29,13 +42,52 @@ def look_at_pair(t: Tables, pair: int, time: float, part: float, queued: int, st
     elif pairs.state[pair] == RESTING and strict:
         pairs.meeting[pair] = NEVER
         explained = explained_speed(t, pair, part)
-        if closes_faster(t, pair, time, explained):
-            speed = approach_at(t, pair, time)
-            near = t.touch.gap[0] <= OVERLAP * pairs.size[pair]
-            if near and speed > explained:
+        if pairs.bounces[pair] < BLOWS and closes_faster(t, pair, time, explained):
+            place_pair(t, pair, time)
+            points = touching_points(t, pair)
+            speed = fastest_within(t, pair, points, time, OVERLAP * pairs.size[pair])
+            if speed > explained:
                 pairs.meeting[pair] = time
                 pairs.speed[pair] = speed
+        if pairs.meeting[pair] == NEVER and turning(t, pair, part - time) > TILT:
+            await_corner(t, pair, time, part)
     return enqueue(t, pair, queued)
+
+
+def await_corners(t: Tables, resting: int, part: float, queued: int) -> int:
+    """Queue the resting pairs of which a point will land in the part (s); see `resting`."""
+    pairs = t.pairs
+    for k in range(resting):
+        pair = pairs.resting[k]
+        if pairs.meeting[pair] == LATER:
+            await_corner(t, pair, 0.0, part)
+            queued = enqueue(t, pair, queued)
+    return queued
+
+
+def await_corner(t: Tables, pair: int, time: float, part: float) -> None:
+    """Find when, after `time` of the part (s), the other corner of a resting pair that turns comes
+    down, by Newton's method.
+    """
+    t.pairs.meeting[pair] = NEVER
+    when = time
+    speed = 0.0
+    for _ in range(LOOKS):
+        place_pair(t, pair, when)
+        if touching_points(t, pair) < 2:
+            return
+        speed = approach_of(t, pair, 0, when)
+        other = approach_of(t, pair, 1, when)
+        closing = 1 if other > speed else 0
+        if closing == 1:
+            speed = other
+        if speed <= stillness(t, pair):
+            return
+        when += t.touch.gap[closing] / speed
+        if when <= time or when >= part:
+            return
+    t.pairs.meeting[pair] = when
+    t.pairs.speed[pair] = speed
 
 
 def look_at_joined(

@@ -2,16 +2,16 @@
 
 The impulse along the normal is the exact answer for a single impact (thesis, eq. 40, with e for
 restitution): P = -(1 + e) v_n / (1/m_a + 1/m_b + (r_a x n)^2/I_a + (r_b x n)^2/I_b). Two points of
-one pair that meet at the same instant (a side that lands flat) share it so that both leave with e
-times their approach. Friction follows as an impulse against the sliding, at most mu times P, or as
-much as stops it where static friction holds; as it comes second and never reverses the sliding, no
-impact gains energy.
+one pair that touch at the same instant (a side that lands flat) share it so that both leave with e
+times their approach, or one of them does and the other is not pressed in. Friction follows as an
+impulse against the sliding, at most mu times P, or as much as stops it where static friction holds;
+as it comes second and never reverses the sliding, no impact gains energy.
 """
 
 import math
 
 from engine.kernels.circles import stillness
-from engine.kernels.impulses import approach, give, report, response, slip, split
+from engine.kernels.impulses import approach, change_of, give, report, response, slip, split
 from engine.kernels.joined_impacts import exchange_with_joints
 from engine.kernels.pose import advance, place_pair
 from engine.kernels.rubbing import belt_speed
@@ -33,7 +33,7 @@ def strike(
     now: float,
     time: float,
     shortest: float,
-    early: float,
+    near: float,
     plastic: bool,
 ) -> bool:
     """Let a pair collide at `time` of the present part (s); return whether it rests from then on.
@@ -44,7 +44,7 @@ def strike(
         now: when the part began, since the tick began (s).
         time: of the impact, since the part began (s).
         shortest: a flight shorter than this (s) is none: the bodies stay together.
-        early: points that would touch within this time (s) are struck as well.
+        near: points with no wider gap (m) are struck as well.
         plastic: whether to take restitution as zero, as the end of endless bouncing.
     """
     bodies = t.bodies
@@ -56,7 +56,7 @@ def strike(
     advance(bodies, b, time)
     place_pair(t, pair, time)
     points = touching_points(t, pair)
-    one, other, speed = choose_points(t, pair, points, early)
+    one, other, speed = choose_points(t, pair, points, near)
     if one < 0:
         return t.pairs.state[pair] == RESTING
     restitution = t.pairs.restitution[pair]
@@ -79,8 +79,12 @@ def strike(
     return rests
 
 
-def choose_points(t: Tables, pair: int, points: int, early: float) -> tuple[int, int, float]:
-    """Which of the points in `Touch` take part (-1: none), and the fastest approach (m/s)."""
+def choose_points(t: Tables, pair: int, points: int, near: float) -> tuple[int, int, float]:
+    """Which of the points in `Touch` take part (-1: none), and the fastest approach (m/s).
+
+    One that touches takes part beside one that approaches: it may have to keep from being pressed
+    in.
+    """
     first = approach(t, pair, 0)
     still = stillness(t, pair)
     if points == 1:
@@ -89,17 +93,17 @@ def choose_points(t: Tables, pair: int, points: int, early: float) -> tuple[int,
     gap_0 = t.touch.gap[0]
     gap_1 = t.touch.gap[1]
     within = (gap_0 if gap_0 < gap_1 else gap_1) + 1e-8 * t.pairs.size[pair]
-    if within < 0.0:
-        within = 0.0
-    hits_0 = first > still and gap_0 <= within + first * early
-    hits_1 = second > still and gap_1 <= within + second * early
-    if hits_0 and hits_1:
+    if within < near:
+        within = near
+    near_0 = gap_0 <= within
+    near_1 = gap_1 <= within
+    if near_0 and near_1 and (first > still or second > still):
         if first >= second:
             return 0, 1, first
         return 1, 0, second
-    if hits_0:
+    if near_0 and first > still:
         return 0, -1, first
-    if hits_1:
+    if near_1 and second > still:
         return 1, -1, second
     return -1, -1, first
 
@@ -211,5 +215,5 @@ def share_of_two(t: Tables, pair: int, one: int, other: int, bounce: float) -> t
     k22 = mass + a_2 * a_2 * turn_a + b_2 * b_2 * turn_b
     k12 = mass + a_1 * a_2 * turn_a + b_1 * b_2 * turn_b
     v1 = bounce * approach(t, pair, one)
-    v2 = bounce * approach(t, pair, other)
+    v2 = change_of(approach(t, pair, other), bounce)
     return split(k11, k12, k22, v1, v2)

@@ -46,6 +46,11 @@ def slip(t: Tables, pair: int, x: float, y: float) -> float:
     return vy * t.touch.normal_x[0] - vx * t.touch.normal_y[0]
 
 
+def change_of(speed: float, bounce: float) -> float:
+    """By how much an impact changes a speed of approach (m/s): what leaves is stopped at most."""
+    return bounce * speed if speed > 0.0 else speed
+
+
 def split(k11: float, k12: float, k22: float, v1: float, v2: float) -> tuple[float, float]:
     """Share of the second of two points and impulse of both, neither pulling, for which
 

@@ -3,7 +3,7 @@
 What a unit impulse changes, joints included, stands where the inverse masses of free bodies would.
 """
 
-from engine.kernels.impulses import approach, give, report, response, slip, split
+from engine.kernels.impulses import approach, change_of, give, report, response, slip, split
 from engine.kernels.rubbing import belt_speed
 from engine.linkage.answers import Changes, answer, prepare_answers, react
 from engine.tables import Tables
@@ -123,4 +123,6 @@ def share_with_joints(
     by = push(t, pair, x, y, nx, ny)
     k22 = closing(t, pair, x, y, nx, ny, by)
     k12 = closing(t, pair, t.touch.x[one], t.touch.y[one], nx, ny, by)
-    return split(k11, k12, k22, bounce * approach(t, pair, one), bounce * approach(t, pair, other))
+    v1 = bounce * approach(t, pair, one)
+    v2 = change_of(approach(t, pair, other), bounce)
+    return split(k11, k12, k22, v1, v2)

@@ -210,23 +210,34 @@ def approach_at(t: Tables, pair: int, time: float) -> float:
 
     Leaves the points of contact in `Touch`.
     """
-    a = t.pairs.a[pair]
-    b = t.pairs.b[pair]
     place_pair(t, pair, time)
     points = touching_points(t, pair)
     lowest = t.touch.gap[0]
     if points == 2 and t.touch.gap[1] < lowest:
         lowest = t.touch.gap[1]
-    within = lowest + 1e-8 * t.pairs.size[pair]
+    return fastest_within(t, pair, points, time, lowest + 1e-8 * t.pairs.size[pair])
+
+
+def fastest_within(t: Tables, pair: int, points: int, time: float, within: float) -> float:
+    """Greatest speed (m/s) at which placed bodies approach at `time`, of the points in `Touch` with
+    a gap of at most `within` (m); `NOWHERE` if there are none.
+    """
     fastest = NOWHERE
     for i in range(points):
         if t.touch.gap[i] <= within:
-            ax, ay = velocity_at(t.bodies, a, time, t.touch.x[i], t.touch.y[i])
-            bx, by = velocity_at(t.bodies, b, time, t.touch.x[i], t.touch.y[i])
-            speed = (ax - bx) * t.touch.normal_x[0] + (ay - by) * t.touch.normal_y[0]
+            speed = approach_of(t, pair, i, time)
             if speed > fastest:
                 fastest = speed
     return fastest
+
+
+def approach_of(t: Tables, pair: int, point: int, time: float) -> float:
+    """Speed (m/s) at which placed bodies approach at `time` at a point of `Touch`."""
+    x = t.touch.x[point]
+    y = t.touch.y[point]
+    ax, ay = velocity_at(t.bodies, t.pairs.a[pair], time, x, y)
+    bx, by = velocity_at(t.bodies, t.pairs.b[pair], time, x, y)
+    return (ax - bx) * t.touch.normal_x[0] + (ay - by) * t.touch.normal_y[0]
 
 
 def search(t: Tables, pair: int, start: float, end: float, bound: float) -> None:

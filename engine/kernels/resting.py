@@ -17,7 +17,7 @@ from engine.kernels.steady import let_go
 from engine.kernels.sweeps import interleave
 from engine.kernels.touches import collect_last_part, leave, touch
 from engine.linkage.tally import joints_act
-from engine.tables import FREE, IMPACTS_AT_ONCE, RESTING, Tables
+from engine.tables import FREE, IMPACTS_AT_ONCE, LATER, NEVER, RESTING, Tables
 
 TOUCHING = 1e-5
 """Gap at which a still pair comes to rest, as a share of the smaller body's reach."""
@@ -26,14 +26,15 @@ KEEPING = 5e-3
 """Gap beyond which a resting pair has parted, in the same unit."""
 
 OVERLAP = 1e-3
-"""Overlap that has to be pushed apart whatever the motion, in the same unit."""
+"""Overlap that has to be pushed apart whatever the motion, in the same unit; points of a resting
+pair whose gap is no wider touch, if they approach."""
 
 STALLS = 20
 """Parts without duration after which pairs are held: joints may take back at once what lets go."""
 
-HOLDS, PARTED, SLAPS = 0, 1, 2
+HOLDS, PARTED, SLAPS, LANDS = range(4)
 """What a resting pair does when a part begins: it goes on to rest; it has let go; a point of it
-that carries nothing will be hit faster than forces explain."""
+that carries nothing is hit faster than forces explain; one will be so later in the part."""
 
 
 def settle(t: Tables, count: int, pair_count: int, shortest: float) -> int:
@@ -190,8 +191,11 @@ def ready_all(
             pairs.apart[pair] = 0.0
             continue
         touch(t, pair)
+        pairs.meeting[pair] = LATER if does == LANDS else NEVER
         if does == SLAPS and not again and t.impacts.written[0] < IMPACTS_AT_ONCE:
-            strike(t, pair, now, 0.0, substep, part, False)
+            joined = t.bodies.joined[a] == 1 or t.bodies.joined[b] == 1
+            near = pairs.speed[pair] * part if joined else OVERLAP * pairs.size[pair]
+            strike(t, pair, now, 0.0, substep, near, False)
             stirred[a] = stirred[b] = 1
             hit = True
         pairs.resting[kept] = pair
@@ -225,7 +229,9 @@ def prepare(
     rate: float,
     yielding: float,
 ) -> int:
-    """Ready a measured contact for a part (s); return what it does: holds, has parted, slaps.
+    """Ready a measured contact for a part (s); return what it does: see `HOLDS` and its like.
+
+    Points that will land bear nothing before they do.
 
     Args:
         t: the tables.
@@ -254,7 +260,8 @@ def prepare(
     spin_b = bodies.spin[b]
     lowest = 1e300
     fastest = -1e300
-    slaps = False
+    joined = bodies.joined[a] == 1 or bodies.joined[b] == 1
+    does = HOLDS
     for row in range(2 * pair, 2 * pair + pairs.points[pair]):
         gap = contacts.gap[row]
         closing = (
@@ -266,8 +273,16 @@ def prepare(
             fastest = closing
         # Points that carry have the velocity that the last part left them: what is wrong with it
         # is the error of the solver, which the next sweep mends.
+        lands = False
         if contacts.normal_impulse[row] == 0.0 and closing > explained:
-            slaps = slaps or gap <= closing * part / 2.0
+            way = closing * part / 2.0  # gaps are those of the middle of the part
+            if gap <= way and (joined or gap <= OVERLAP * size - way):
+                does = SLAPS
+                pairs.speed[pair] = closing
+            elif gap <= way:
+                lands = True
+                if does == HOLDS:
+                    does = LANDS
         contacts.normal_impulse[row] *= share
         contacts.tangent_impulse[row] *= share
         if gap > 0.0:  # may close until the end of the part, but no faster
@@ -279,11 +294,13 @@ def prepare(
             contacts.target[row] = bias if bias > -PUSH * size else -PUSH * size
             contacts.hardness[row] = contacts.normal_mass[row] * (1.0 - soft)
             contacts.softness[row] = soft
+        if lands:
+            contacts.hardness[row] = 0.0
     if turning(t, pair, part) > TUMBLING:
         return PARTED
     if lowest > KEEPING * size or (lowest > -OVERLAP * size and fastest < -explained):
         return PARTED
-    return SLAPS if slaps else HOLDS
+    return does
 
 
 def explained_speed(t: Tables, pair: int, part: float) -> float:

@@ -10,9 +10,10 @@ loads go on to bear the forces as they are for some ticks, until they no longer 
 or somebody acts on the world.
 """
 
-from engine.kernels.books import book_halt, note_part
+from engine.kernels.books import note_part
 from engine.kernels.contacts import STEADY_SWEEPS, STILL, stiffen
 from engine.kernels.following import find_points, follow, has_drifted
+from engine.kernels.halting import halt_fixed
 from engine.kernels.sticking import FIXED, find_fixed
 from engine.kernels.sweeps import ALL, QUIET, warm_start
 from engine.kernels.touches import touch
@@ -189,6 +190,7 @@ def balance(t: Tables, count: int, resting: int, part: float) -> int:
     if found != MOVING:
         keep_limb_impulses(t, part)
         find_fixed(t, count, resting)
+        halt_fixed(t, count, resting)
         bend(t, count, part)
     return found
 
@@ -204,8 +206,8 @@ def push_all(t: Tables, count: int, part: float) -> None:
 
 
 def bend(t: Tables, count: int, part: float) -> None:
-    """Bend the paths of what rests by what forces and loads kick it in a part of the tick (s); halt
-    what is fixed.
+    """Bend the paths of what rests by what forces and loads kick it in a part of the tick (s); what
+    is fixed stays.
     """
     bodies = t.bodies
     for row in range(count):
@@ -215,7 +217,9 @@ def bend(t: Tables, count: int, part: float) -> None:
             bodies.left_y[row] = bodies.kick_y[row]
             bodies.left_spin[row] = bodies.kick_spin[row]
             if bodies.stuck[row] == FIXED:
-                halt(t, row)
+                bodies.path_x[row] = 0.0
+                bodies.path_y[row] = 0.0
+                bodies.path_spin[row] = 0.0
             else:
                 bodies.path_x[row] = bodies.kick_x[row] / part
                 bodies.path_y[row] = bodies.kick_y[row] / part
@@ -223,30 +227,6 @@ def bend(t: Tables, count: int, part: float) -> None:
             bodies.kick_x[row] = bodies.vx[row] + bodies.path_x[row] * part
             bodies.kick_y[row] = bodies.vy[row] + bodies.path_y[row] * part
             bodies.kick_spin[row] = bodies.spin[row] + bodies.path_spin[row] * part
-
-
-def halt(t: Tables, row: int) -> None:
-    """Let a body not move."""
-    bodies = t.bodies
-    bodies.path_x[row] = 0.0
-    bodies.path_y[row] = 0.0
-    bodies.path_spin[row] = 0.0
-    moves = bodies.vx[row] != 0.0 or bodies.vy[row] != 0.0 or bodies.spin[row] != 0.0
-    if moves and bodies.inverse_mass[row] > 0.0:
-        book_halt(t, row)
-        bodies.vx[row] = 0.0
-        bodies.vy[row] = 0.0
-        bodies.spin[row] = 0.0
-
-
-def book_fixed(t: Tables, count: int, share: float) -> None:
-    """Book to the ground, for a share of the part, what it gave to fixed bodies besides loads."""
-    bodies = t.bodies
-    for row in range(count):
-        fixed = bodies.held[row] > 0 and bodies.stuck[row] == FIXED
-        if fixed and bodies.inverse_mass[row] > 0.0:
-            t.books.wall_x[0] -= bodies.mass[row] * bodies.left_x[row] * share
-            t.books.wall_y[0] -= bodies.mass[row] * bodies.left_y[row] * share
 
 
 def foresee(t: Tables, pair: int) -> None:

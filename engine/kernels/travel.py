@@ -5,12 +5,13 @@ early when two bodies come to rest on each other, or when a body leaves the box 
 of pairs holds.
 """
 
-from engine.kernels.aftermath import look_again, look_at_joined
+from engine.kernels.aftermath import await_corners, look_again, look_at_joined
 from engine.kernels.agenda import TOGETHER, dequeue, empty, next_to_meet
 from engine.kernels.books import book_lead, book_part
 from engine.kernels.contacts import correct_arms, relax
 from engine.kernels.fields import lead_of_euler
 from engine.kernels.following import turning
+from engine.kernels.halting import book_fixed, hand_on
 from engine.kernels.impacts import strike
 from engine.kernels.meeting import (
     find_meetings,
@@ -20,6 +21,7 @@ from engine.kernels.meeting import (
 from engine.kernels.pose import advance_all, drift_all
 from engine.kernels.resting import (
     KEEPING,
+    OVERLAP,
     count_holds,
     hold,
     place_middle,
@@ -33,7 +35,6 @@ from engine.kernels.steady import (
     RELYING,
     TRUSTED,
     balance,
-    book_fixed,
     is_steady,
     relies,
 )
@@ -51,12 +52,10 @@ from engine.tables import IMPACTS_AT_ONCE, NEVER, RESTING, Bodies, Tables
 MOST = 1e100
 """Numbers beyond this (SI units) are those of a world that diverged."""
 
-PLUNGE = 0.01
-"""A pair that comes to rest is not looked at until its part is over, unless it turns by more than
-this meanwhile (rad), so that another corner would plunge in: then the part ends."""
-
-LIMB_PLUNGE = 0.03
-"""The same where joints hold one of the two: limbs that land turn fast, one after the other."""
+PLUNGE = 0.1
+"""A pair that comes to rest bears nothing until its part is over. If it turns by more than this
+meanwhile (rad), the part ends; what turns by less sinks by a share of its square, once its other
+corner has been seen to (see `aftermath`)."""
 
 
 def begin(t: Tables, count: int, pair_count: int, shortest: float) -> None:
@@ -141,6 +140,7 @@ def travel(
             queued = foresee_meetings(t, pair_count, part)
         else:
             queued = find_meetings(t, pair_count, part)
+            queued = await_corners(t, held, part, queued)
         status = DONE
         reached = part
         if queued > 0:
@@ -158,6 +158,8 @@ def travel(
             book_even(t, reached / part)
             if steadiness != MOVING:
                 book_fixed(t, count, reached / part)
+            if steadiness != MOVING and reached < part:
+                hand_on(t, count, held, reached / part)
             if reached < part:
                 take_back(t, held, 1.0 - reached / part)
             correct_arms(t, held, count, first, now, part, reached)
@@ -241,7 +243,8 @@ def meet_in_order(
         b = pairs.b[pair]
         rested = pairs.state[pair] == RESTING
         if written[1] < 2 * limit:
-            rests = strike(t, pair, now, time, substep, 0.0, written[1] >= limit)
+            near = OVERLAP * pairs.size[pair] if rested else 0.0
+            rests = strike(t, pair, now, time, substep, near, written[1] >= limit)
         else:
             rests = True
             touch(t, pair)
@@ -253,11 +256,9 @@ def meet_in_order(
         written[1] += 1
         if rests and held == 0 and time < part:
             return DONE, time, queued
-        joined = t.bodies.joined[a] == 1 or t.bodies.joined[b] == 1
-        plunge = LIMB_PLUNGE if joined else PLUNGE
-        if rests and written[1] < limit and turning(t, pair, part - time) > plunge:
+        if rests and written[1] < limit and turning(t, pair, part - time) > PLUNGE:
             return DONE, time, queued
-        if joined:
+        if t.bodies.joined[a] == 1 or t.bodies.joined[b] == 1:
             written[1] += joints_that_act(t) // 8  # joints make it dear: give up sooner
             queued = look_at_joined(t, a, b, time, part, queued, written[1] < 2 * limit)
         # What rests cannot wait for the end of a steady tick once something hits it.

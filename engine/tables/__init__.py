@@ -35,6 +35,7 @@ from engine.tables.linkage import (
 from engine.tables.pairs import (
     FREE,
     IMPACTS_AT_ONCE,
+    LATER,
     NEVER,
     PASSING,
     RESTING,
@@ -55,6 +56,7 @@ from engine.tables.world import ROWS, Books, Counts, Progress, State, Tables, Tr
 __all__ = [
     "FREE",
     "IMPACTS_AT_ONCE",
+    "LATER",
     "LINE",
     "NEVER",
     "PASSING",

@@ -12,6 +12,9 @@ wall from behind; one of them is a sensor; they rested on each other when they f
 NEVER = 1e300
 """A time that does not come (s)."""
 
+LATER = -1.0
+"""A time that is still to be found (s)."""
+
 
 IMPACTS_AT_ONCE = 4096
 """Rows of the table of impacts; after so many in one tick the kernel pauses to have it emptied."""
@@ -86,7 +89,7 @@ class Pairs(NamedTuple):
     struck: Floats
     """Time of the last impact since the present tick began (s), mostly negative."""
     meeting: Floats
-    """When the two meet in the present part of the tick (s), or `NEVER`."""
+    """When the two meet in the present part of the tick (s), or `NEVER`, or `LATER`."""
     speed: Floats
     """With which they then approach each other (m/s)."""
     queued: Ints
