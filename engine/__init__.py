@@ -2,10 +2,12 @@
 
 from engine.body import Body
 from engine.collision import Collision, Diverged, Removed
+from engine.contact import Contact
 from engine.force_laws import ActingLaw, PointGravity, SpringTo
 from engine.forces import Force, LinearDrag, Push, QuadraticDrag, Torque
 from engine.hits import Hit, Nearest
-from engine.joints import Distance, Joint, Pin, Pulley, Rope, Slider, Spring, Weld
+from engine.joint import Joint
+from engine.joints import Distance, Pin, Pulley, Rope, Slider, Spring, Weld
 from engine.ledger import Ledger
 from engine.recording import Recording
 from engine.replay import Divergence, replay
@@ -23,7 +25,6 @@ from engine.shapes import (
     Wall,
 )
 from engine.snapshot import Snapshot
-from engine.touching import Contact
 from engine.tracks import Tracks
 from engine.vector import Vector
 from engine.world import World

@@ -43,6 +43,17 @@ def ignored_keys(ignored: Ignored, number: int) -> Any:
     return pair_keys(np.asarray(ignored.a)[:number], np.asarray(ignored.b)[:number])
 
 
+def row_of_ignored(t: Tables, a: int, b: int, joint: int) -> int | None:
+    """Row of `Ignored` where two bodies, by their ids, ignore each other on behalf of a joint (0:
+    by hand); None if they do not.
+    """
+    ignored, both = t.ignored, {a, b}
+    for i in range(t.counts.ignored[0]):
+        if {ignored.a[i], ignored.b[i]} == both and ignored.joint[i] == joint:
+            return i
+    return None
+
+
 def ignored_columns(t: Tables) -> list[Any]:
     """The pairs that ignore each other, in order, for the digest; nothing where none do."""
     number = t.counts.ignored[0]

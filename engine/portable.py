@@ -14,8 +14,8 @@ from engine.body import Body
 from engine.filters import ALL
 from engine.force_laws import ActingLaw, PointGravity, SpringTo, checked_law
 from engine.forces import Force, LinearDrag, QuadraticDrag, Torque
+from engine.joint import Joint
 from engine.joints import KINDS as JOINTS
-from engine.joints import Joint
 from engine.materials import material_name
 from engine.plain import INFINITIES, Decoder, Functions, encode
 from engine.settings import INTEGRATORS, Laws, geometric_mean, larger

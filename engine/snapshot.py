@@ -6,11 +6,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from engine.body import Body
-from engine.filters import ALL
-from engine.force_laws import ActingLaw
-from engine.joints import Joint
+from engine.filters import ALL, ignored_columns
+from engine.force_laws import ActingLaw, field_columns
+from engine.joint import Joint
+from engine.pair_rows import resting_columns
 from engine.settings import AS_FRICTION
-from engine.tables import Bodies, Pushes, arrays
+from engine.tables import Tables, arrays
 
 STATE = (
     "id", "x", "y", "angle", "vx", "vy", "spin", "mass", "inertia", "restitution", "friction",
@@ -36,26 +37,28 @@ class Snapshot(NamedTuple):
     joints: tuple[Joint, ...]
 
 
-def digest(
-    bodies: Bodies, count: int, pushes: Pushes, pushing: int, clock: tuple[float, ...], rest: Any
-) -> str:
+def digest(t: Tables, time: float) -> str:
     """Hash of the bytes of the state (SHA-256, hexadecimal): equal worlds have equal digests.
 
-    Names, callbacks, the process and the machine have no part in it; `rest` holds arrays of the
-    resting contacts.
+    Names, callbacks, the process and the machine have no part in it. Time is that of the world (s).
     """
     import hashlib  # see `materials`
 
-    hashed = hashlib.sha256(struct.pack("<qq", count, pushing))
-    hashed.update(struct.pack(f"<{len(clock)}d", *clock))
-    columns = [np.asarray(getattr(bodies, name))[:count] for name in STATE]
-    columns += [column[:pushing] for column in arrays(pushes)]
+    count, pushing = t.counts.bodies[0], t.counts.pushes[0]
+    hashed = hashlib.sha256(struct.pack("<qqdd", count, pushing, t.state.tick[0], time))
+    columns = [np.asarray(getattr(t.bodies, name))[:count] for name in STATE]
+    columns += [column[:pushing] for column in arrays(t.pushes)]
     for name, usual in UNUSUAL.items():
-        column = np.asarray(getattr(bodies, name))[:count]
+        column = np.asarray(getattr(t.bodies, name))[:count]
         if (column != usual).any():
             hashed.update(name.encode())
             columns.append(column)
-    for column in [*columns, *rest]:
+    columns += [*resting_columns(t, t.counts.pairs[0]), *field_columns(t.fields)]
+    columns += ignored_columns(t)
+    if t.counts.joints[0]:
+        columns += [column[: t.counts.joints[0]] for column in arrays(t.joints)]
+    columns += [column[: t.counts.materials[0]] for column in arrays(t.materials)]
+    for column in columns:
         kind = "<i8" if column.dtype.kind == "i" else "<f8"
         hashed.update(np.ascontiguousarray(column).astype(kind, copy=False).tobytes())
     return hashed.hexdigest()

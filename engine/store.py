@@ -9,18 +9,17 @@ from typing import Any
 
 import numpy as np
 
-from engine import snapshot as snapshots
 from engine.body import Body
 from engine.collision import Removed
 from engine.enrol import corners_of, write_body
-from engine.filters import ignored_columns, ignored_keys, pair_keys
-from engine.force_laws import ActingLaw, field_columns, field_table
-from engine.joints import Joint
+from engine.filters import ignored_keys, pair_keys, row_of_ignored
+from engine.force_laws import ActingLaw, field_table
+from engine.joint import Joint
 from engine.ledger import book_hand, totals
 from engine.materials import number_or_none
-from engine.pair_rows import forget, resting_columns
+from engine.pair_rows import forget
 from engine.shapes import Shape
-from engine.snapshot import Snapshot
+from engine.snapshot import Snapshot, digest
 from engine.tables import (
     ROWS,
     Counts,
@@ -266,13 +265,13 @@ class Store:
 
     def ignore(self, a: Body, b: Body, joint: int = 0) -> None:
         """Let two bodies pass through each other, by hand or on behalf of a joint."""
-        if self._row_of_ignored(a, b, joint) is None:
+        if row_of_ignored(self.tables, a.id, b.id, joint) is None:
             self.append("ignored", (min(a.id, b.id), max(a.id, b.id), joint))
             sort_rows(self.tables.ignored, self.count("ignored"))
 
     def heed(self, a: Body, b: Body, joint: int = 0) -> None:
         """Take that back."""
-        row = self._row_of_ignored(a, b, joint)
+        row = row_of_ignored(self.tables, a.id, b.id, joint)
         if row is not None:
             self.drop("ignored", row)
 
@@ -280,17 +279,6 @@ class Store:
         """Whether two bodies were told to pass through each other, by whomever."""
         keys = ignored_keys(self.tables.ignored, self.count("ignored"))
         return bool((keys == pair_keys(a.id, b.id)).any())
-
-    def _row_of_ignored(self, a: Body, b: Body, joint: int) -> int | None:
-        ignored, both = self.tables.ignored, {a.id, b.id}
-        return next(
-            (
-                i
-                for i in range(self.count("ignored"))
-                if {ignored.a[i], ignored.b[i]} == both and ignored.joint[i] == joint
-            ),
-            None,
-        )
 
     # Materials.
 
@@ -386,21 +374,7 @@ class Store:
 
     def digest(self) -> str:
         """Hash of the state (SHA-256, hexadecimal): equal for equal worlds on any machine."""
-        t, state = self.tables, self.tables.state
-        return snapshots.digest(
-            self.tables.bodies,
-            self.count("bodies"),
-            self.tables.pushes,
-            self.count("pushes"),
-            (float(state.tick[0]), self.time),
-            [
-                *resting_columns(t, self.count("pairs")),
-                *field_columns(t.fields),
-                *ignored_columns(t),
-                *(column[: len(self.joints)] for column in arrays(t.joints) if self.joints),
-                *(column[: self.count("materials")] for column in arrays(t.materials)),
-            ],
-        )
+        return digest(self.tables, self.time)
 
     # The clock.
 

@@ -5,36 +5,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from engine.body import Body
+from engine.contact import Contact
+from engine.kernels.touches import number_of_tick
 from engine.store import Store
 from engine.tables import RESTING, SENSING, SLEEPING, Pairs
 from engine.vector import Vector
 
 BEGIN, STAY, END = "begin", "stay", "end"
-
-
-class Contact(NamedTuple):
-    """Two bodies that touched in the last tick, or did in the tick before and no longer do.
-
-    They touch in a tick if an impact or a resting contact acts on them in it; a sensor and a body,
-    if they overlap when it is over, or came and went within it.
-    """
-
-    a: Body
-    b: Body
-    """The one that was added later."""
-    phase: str
-    """It is "begin", "stay" or "end"; a single bounce begins, and ends in the tick after."""
-    points: tuple[Vector, ...]
-    """Where they rest on each other, or the last impact was (m, world); none of a sensor, none at
-    the end."""
-    normal: Vector
-    """Unit vector from a to b at the first of the points; zero if there are none."""
-    impulse: Vector
-    """What b received in the tick (N s), impacts and resting contact together; a received its
-    exact opposite. Those of bodies that sleep are not computed."""
-    sensor: bool
-    """Whether one of the two is a sensor."""
 
 
 class _Part(NamedTuple):
@@ -120,8 +97,6 @@ def _listed(store: Store, pairs: Pairs) -> Iterator[tuple[int, int, _Part]]:
 
 def _last_tick(store: Store) -> int:
     """Number of the last tick, as in `touches`."""
-    from engine.kernels.touches import number_of_tick  # see `store`
-
     return number_of_tick(store.tables) - 1
 
 

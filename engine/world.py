@@ -4,18 +4,20 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
-from engine import callbacks, ledger, touching, validate
+from engine import callbacks, ledger, validate
 from engine.asking import ask_functions
 from engine.body import Body, OnCollision, OnMove
 from engine.clockwork import Clockwork
 from engine.collision import Collision, Removed
+from engine.contact import Contact
 from engine.enrol import initial_values
 from engine.filters import ALL
 from engine.force_laws import ActingLaw, Law, checked_bodies, checked_law, energy_in_fields
 from engine.forces import Drag, Push
 from engine.hits import Hit, Nearest
 from engine.inputs import noted, noted_only
-from engine.joints import Joint, OnBreak, Spec, joint_columns
+from engine.joint import Joint, OnBreak
+from engine.joints import Spec
 from engine.ledger import Ledger
 from engine.materials import pair_row
 from engine.recording import Recording
@@ -24,7 +26,6 @@ from engine.shapes import Shape
 from engine.snapshot import Snapshot
 from engine.store import Store
 from engine.tables import Bodies, Tables
-from engine.touching import Contact
 from engine.tracks import Tracks
 from engine.vector import Vector
 
@@ -277,6 +278,8 @@ class World:
             break_torque: the same for the torque (N m).
             on_break: called with the joint after the step in which it broke.
         """
+        from engine.joining import joint_columns  # see `store`
+
         for body in (a, b):
             if body is not None:
                 self._own(body)
@@ -419,6 +422,8 @@ class World:
         to the change of its momentum in the tick (by the Euler methods, apart from their own
         error). Bodies that were removed are not told of.
         """
+        from engine import touching  # see `store`
+
         return touching.contacts(self.store)
 
     @property
