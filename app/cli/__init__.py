@@ -20,7 +20,7 @@ def main() -> None:
         wish.heed_signals()
         from app.cli import program  # takes time, in which Ctrl-C may come already
 
-        program.laws()
+        program.with_commands_for(sys.argv[1:])()
     except Stopped as stopped:
         sys.exit(stopped.exit_code)
     except Exception as error:  # noqa: BLE001 - the outermost door: a person gets one sentence

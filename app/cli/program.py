@@ -1,17 +1,10 @@
-"""The program `laws` and its commands."""
+"""The program `laws` and its commands; the one that is asked for is loaded alone."""
 
+import importlib
+from collections.abc import Sequence
 from typing import Annotated
 
 import typer
-
-from app.cli.check import check
-from app.cli.demo import demo
-from app.cli.doctor import doctor
-from app.cli.listing import list_names
-from app.cli.new import new
-from app.cli.render import render
-from app.cli.schema import schema
-from app.cli.warm import warm
 
 laws = typer.Typer(
     name="laws",
@@ -22,14 +15,26 @@ laws = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
 
-laws.command("demo", short_help="Three films, one for each of Newton's laws.")(demo)
-laws.command("render", short_help="Films, pictures and data from scenario files.")(render)
-laws.command("check", short_help="Every mistake in scenario files, at once.")(check)
-laws.command("new", short_help="A commented scenario to start from.")(new)
-laws.command("list", short_help="All names: screens, widgets, probes, settings.")(list_names)
-laws.command("schema", short_help="The JSON Schema of scenario files.")(schema)
-laws.command("warm", short_help="Compile the physics ahead.")(warm)
-laws.command("doctor", short_help="Is everything installed, and what if not?")(doctor)
+COMMANDS = {
+    "demo": ("app.cli.demo", "demo", "Three films, one for each of Newton's laws."),
+    "render": ("app.cli.render", "render", "Films, pictures and data from scenario files."),
+    "check": ("app.cli.check", "check", "Every mistake in scenario files, at once."),
+    "new": ("app.cli.new", "new", "A commented scenario to start from."),
+    "list": ("app.cli.listing", "list_names", "All names: screens, widgets, probes, settings."),
+    "schema": ("app.cli.schema", "schema", "The JSON Schema of scenario files."),
+    "warm": ("app.cli.warm", "warm", "Compile the physics ahead."),
+    "doctor": ("app.cli.doctor", "doctor", "Is everything installed, and what if not?"),
+}
+"""Module, function and a few words for each command, in the order of the help."""
+
+
+def with_commands_for(arguments: Sequence[str]) -> typer.Typer:
+    """The program with the command that the arguments begin with; with all if it is none."""
+    names = arguments[:1] if arguments and arguments[0] in COMMANDS else COMMANDS
+    for name in names:
+        module, function, words = COMMANDS[name]
+        laws.command(name, short_help=words)(getattr(importlib.import_module(module), function))
+    return laws
 
 
 def _show_version(wanted: bool) -> None:
