@@ -40,7 +40,12 @@ from engine.kernels.steady import (
 )
 from engine.kernels.touches import collect, take_back, touch
 from engine.linkage.limb_sweeps import all_bear, book_even
-from engine.linkage.pace import SHORTEST, part_for_joints
+from engine.linkage.pace import (
+    LONGEST,
+    LONGEST_WITH_IMPACTS,
+    SHORTEST,
+    part_for_joints,
+)
 from engine.linkage.tally import (
     clear_sums,
     joints_act,
@@ -126,7 +131,7 @@ def travel(
     """
     while now < dt:
         resting = settle(t, count, pair_count, substep)
-        part, held, steadiness = plan(t, count, resting, now, dt, substep)
+        part, held, steadiness = plan(t, count, resting, now, dt, substep, LONGEST)
         joined = joints_that_act(t)
         first = t.impacts.written[0]
         if resting > 0:
@@ -134,13 +139,19 @@ def travel(
         straight = t.progress.straight[0] == 1
         if t.progress.sensing[0] > 0 or not straight:
             measure_ways(t, count, part)
-        if t.progress.sensing[0] > 0:
-            sense_passing(t, pair_count, part)
         if straight:
             queued = foresee_meetings(t, pair_count, part)
         else:
             queued = find_meetings(t, pair_count, part)
             queued = await_corners(t, held, part, queued)
+        longest = LONGEST_WITH_IMPACTS * substep
+        if queued > 0 and joined > 0 and steadiness == MOVING and part > longest * (1.0 + 1e-9):
+            empty(t, queued)
+            part, held, _ = plan(t, count, resting, now, dt, substep, LONGEST_WITH_IMPACTS)
+            measure_ways(t, count, part)
+            queued = find_meetings(t, pair_count, part)
+        if t.progress.sensing[0] > 0:
+            sense_passing(t, pair_count, part)
         status = DONE
         reached = part
         if queued > 0:
@@ -183,9 +194,10 @@ def travel(
 
 
 def plan(
-    t: Tables, count: int, resting: int, now: float, dt: float, substep: float
+    t: Tables, count: int, resting: int, now: float, dt: float, substep: float, longest: float
 ) -> tuple[float, int, int]:
-    """Choose the length of the next part of the tick (s), and bend the paths of what is held.
+    """Choose the length of the next part of the tick (s), and bend the paths of what is held; with
+    joints, it lasts for `longest` substeps at most.
 
     Returns the length, the number of pairs that rest in it, and how steadily; see `steady`.
     """
@@ -199,7 +211,7 @@ def plan(
         steadiness = balance(t, count, resting, dt)
         if steadiness != MOVING:
             return part, resting, steadiness
-    shortest = part_for_joints(t, substep, part, resting)
+    shortest = part_for_joints(t, substep, part, resting, longest)
     if shortest < part * (1.0 - 1e-9):
         part = shortest
     held = hold(t, count, resting, now, part, substep)

@@ -22,8 +22,11 @@ WAVE = 1.2
 """By so much of its oscillation (rad) the fastest wave along pulled hinges swings in a part: beyond
 2 it would grow without end."""
 
-LONGEST = 2.0
-"""Substeps that a part lasts at most."""
+LONGEST = 6.0
+"""Substeps that a part lasts at most,"""
+
+LONGEST_WITH_IMPACTS = 2.0
+"""and if something meets in it: what is struck turns faster for the rest of its part."""
 
 MOST_TURN = 0.25
 """By which a joined body turns in a part at most (rad): faster ones get shorter parts."""
@@ -32,8 +35,9 @@ SHORTEST = 1.0 / 32.0
 """Share of a substep that a part has at least."""
 
 
-def part_for_joints(t: Tables, substep: float, left: float, resting: int) -> float:
-    """Length of the next part (s), of a tick that still lasts for `left` (s).
+def part_for_joints(t: Tables, substep: float, left: float, resting: int, longest: float) -> float:
+    """Length of the next part (s), of a tick that still lasts for `left` (s), `longest` substeps at
+    most.
 
     A substep at most while anything but hinges of trees acts.
     """
@@ -53,7 +57,7 @@ def part_for_joints(t: Tables, substep: float, left: float, resting: int) -> flo
         return 1.0 / waving if waving * substep * SHORTEST < 1.0 else substep * SHORTEST
     if t.braces.sizes[0] > 0 or resting > 0:
         return substep
-    parts = left / (LONGEST * substep)
+    parts = left / (longest * substep)
     for pace in (swinging, fastest / WHIP, waving):
         if pace * left > parts:
             parts = pace * left
