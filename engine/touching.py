@@ -83,7 +83,9 @@ def _listed(store: Store, pairs: Pairs) -> Iterator[tuple[int, int, _Part]]:
         sleeps = pairs.state[pair] == SLEEPING
         now = fresh or rests
         before = pairs.touched_before[pair] == tick - 1 if fresh else True
-        x, y = (pairs.given_x[pair], pairs.given_y[pair]) if fresh and not sleeps else (0.0, 0.0)
+        x, y = 0.0, 0.0
+        if fresh and not sleeps:
+            x, y = float(pairs.given_x[pair]), float(pairs.given_y[pair])
         normal = Vector(pairs.normal_x[pair], pairs.normal_y[pair])
         points: tuple[Vector, ...] = ()
         if rests and pairs.points[pair] > 0:
