@@ -82,6 +82,7 @@ AT_MOST = {
     "pieces.seams": 1,
     "corners.kind": 3,
     "state.stale": 1,
+    "state.restless": 1,
     "joints.kind": len(JOINTS) - 1,
     "joints.motor": 1,
     "joints.broken": 2,

@@ -61,16 +61,13 @@ joints act that are no hinges of trees, whose strain would grow."""
 CROWD = 64
 """Contacts from which on sweeps pass over what is calm, and are taken in turns; see `sweeps`."""
 
-CROWD_SWEEPS = 5
-"""Sweeps of a crowd at most, unless heavy bodies rest on light ones: in turns, that calms it as
-well as `MOST_SWEEPS` from one end to the other."""
-
-CROWD_WILD = 3
-"""The same for `WILD_SWEEPS`."""
+CROWD_SWEEPS = 3
+"""Sweeps of a crowd that correct overlaps, at most, unless heavy bodies rest on light ones: those
+that relax matter more, and none is left wild. Else high heaps would boil without end."""
 
 CALM_SWEEPS = 2
 """A crowd whose contacts take more sweeps to be calm is restless: it relaxes no further than to be
-calm."""
+calm, and its overlaps are corrected more slowly in the next part."""
 
 JOINED_SWEEPS = 4
 """Sweeps after which groups of joined bodies need not be finer than calm, to relax."""
@@ -103,20 +100,24 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
         harden(t, resting)
     warm_start(t, resting)
     t.progress.sweeps[0] = 2 * MOST_SWEEPS if is_uneven(t, resting) else MOST_SWEEPS
-    gives_up = not violent and t.braces.sizes[0] == 0
     crowded = resting >= CROWD and not violent and not joints_act(t)
-    t.progress.restless[0] = 0
-    most = most_sweeps(t, crowded, violent)
-    wild = CROWD_WILD if crowded else WILD_SWEEPS
+    gives_up = not violent and not crowded and t.braces.sizes[0] == 0
+    t.state.restless[0] = 0
+    most = PATIENT_SWEEPS if violent else t.progress.sweeps[0]
+    if crowded and most == MOST_SWEEPS:
+        most = CROWD_SWEEPS
     if t.bones.sizes[7] > 0 and t.braces.sizes[0] == 0:
-        sweep_groups(t, resting, most, 1, CALM, most, CALM, wild if gives_up else most + 1, True)
+        early = WILD_SWEEPS if gives_up else most + 1
+        sweep_groups(t, resting, most, 1, CALM, most, CALM, early, True)
     else:
         for i in range(1, most + 1):
             found = sweep_all(t, resting, CALM, i % 2 == 0, i if crowded else ALL)
             failed = bind(t, part)
             if crowded and i > CALM_SWEEPS:
-                t.progress.restless[0] = 1
-            if has_settled(found, gives_up and i == wild) and (resting == 0 or failed <= CALM):
+                t.state.restless[0] = 1
+            if has_settled(found, gives_up and i == WILD_SWEEPS) and (
+                resting == 0 or failed <= CALM
+            ):
                 break
     bind_limbs(t, part)
     keep_impulses(t, part)
@@ -126,15 +127,6 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
             bodies.path_y[row] = (bodies.kick_y[row] - bodies.vy[row]) / part
             bodies.path_spin[row] = (bodies.kick_spin[row] - bodies.spin[row]) / part
             note_part(bodies, row)
-
-
-def most_sweeps(t: Tables, crowded: bool, violent: bool) -> int:
-    """How many sweeps the present part has at most."""
-    if violent:
-        return PATIENT_SWEEPS
-    if crowded and t.progress.sweeps[0] == MOST_SWEEPS:
-        return CROWD_SWEEPS
-    return t.progress.sweeps[0]
 
 
 def has_settled(found: int, last: bool) -> bool:
@@ -200,20 +192,21 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
         still = sweep_all_until_calm(t, left, 2 * STEADY_SWEEPS, STILL)
     else:
         violent = is_violent(t, left)
-        polish = CALM if violent or t.progress.restless[0] == 1 else FINE
-        gives_up = not violent and t.braces.sizes[0] == 0
+        polish = CALM if violent or t.state.restless[0] == 1 else FINE
         crowded = left >= CROWD and not violent and not joints_act(t)
-        most = most_sweeps(t, crowded, violent)
-        wild = CROWD_WILD if crowded else WILD_SWEEPS
+        gives_up = not violent and not crowded and t.braces.sizes[0] == 0
+        most = PATIENT_SWEEPS if violent else t.progress.sweeps[0]
         if t.bones.sizes[7] > 0 and t.braces.sizes[0] == 0:
-            early = wild if gives_up else most + 1
+            early = WILD_SWEEPS if gives_up else most + 1
             jammed = 1 if violent else JAMMED
             sweep_groups(t, left, most, jammed, polish, JOINED_SWEEPS, CALM, early, False)
         else:
             for i in range(1, most + 1):
                 found = sweep_all(t, left, polish, i % 2 == 1, i if crowded else ALL)
                 failed = ease(t)
-                if has_settled(found, gives_up and i == wild) and (left == 0 or failed <= CALM):
+                if has_settled(found, gives_up and i == WILD_SWEEPS) and (
+                    left == 0 or failed <= CALM
+                ):
                     break
     ease_limbs(t)
     part_gently(t, left, part * done)

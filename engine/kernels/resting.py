@@ -12,7 +12,7 @@ from engine.kernels.impacts import acceleration, stays, strike
 from engine.kernels.meeting import NOWHERE, approach_at, notice_passing, slides_over
 from engine.kernels.parting import PUSH
 from engine.kernels.sleeping import wake
-from engine.kernels.spring import frequency, softness, softness_left
+from engine.kernels.spring import DAMPING, RESTLESS, frequency, softness, softness_left
 from engine.kernels.steady import let_go
 from engine.kernels.sweeps import interleave
 from engine.kernels.touches import collect_last_part, leave, touch
@@ -157,8 +157,9 @@ def ready_all(
     stirred = t.bodies.stirred
     inverse_mass = t.bodies.inverse_mass
     omega = frequency(substep)
-    softly, yielding = softness(part, omega)
-    firmly, bearing = softness(part, 2.0 * omega)
+    damping = DAMPING * RESTLESS if t.state.restless[0] == 1 else DAMPING
+    softly, yielding = softness(part, omega, damping)
+    firmly, bearing = softness(part, 2.0 * omega, damping)
     some = again and not joints_act(t)
     kept = 0
     hit = False

@@ -7,6 +7,10 @@ from engine.tables import Tables
 DAMPING = 10.0
 """Damping ratio of the spring: overlaps creep apart and never swing."""
 
+RESTLESS = 4.0
+"""So many times more is it damped in a crowd that is restless. Sweeps are too few to take back at
+once all that correcting overlaps has lent, and so a heap of 500 bodies could drive itself."""
+
 SWING = 0.25
 """Part of a swing of the spring that a substep lasts, at most."""
 
@@ -26,12 +30,12 @@ def frequency(substep: float) -> float:
     return 2.0 * math.pi * hertz
 
 
-def softness(part: float, omega: float) -> tuple[float, float]:
+def softness(part: float, omega: float, damping: float) -> tuple[float, float]:
     """Rate (1/s) at which overlaps are corrected, and share of the impulse that the spring drops.
 
     What is left of one is the share of the full mass with which it acts.
     """
-    damped = 2.0 * DAMPING + part * omega
+    damped = 2.0 * damping + part * omega
     return omega / damped, 1.0 / (1.0 + part * omega * damped)
 
 

@@ -72,6 +72,8 @@ class State(NamedTuple):
     """1 if the joints are to be put in order anew."""
     trusted: Ints
     """Ticks for which what rests steadily relies on its loads; see `steady`."""
+    restless: Ints
+    """1 if a crowd rests in the present part and did not become calm at once; see `contacts`."""
 
 
 class Books(NamedTuple):
@@ -141,8 +143,6 @@ class Progress(NamedTuple):
     """Parts in a row that ended as they began; see `resting.STALLS`."""
     sweeps: Ints
     """Sweeps over resting contacts that a part has at most."""
-    restless: Ints
-    """1 if a crowd rests in the present part and did not become calm at once; see `contacts`."""
     recording: Ints
     """Which columns of `Tracks` to write, one bit each; 0: none."""
     moment: Ints
