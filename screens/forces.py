@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from engine import Body, Collision, Force, Polygon, Push, Vector, World
 from screens.kit import arrows, page, probes, theme
-from screens.kit.bodies import opacity
+from screens.kit.bodies import new_world, opacity
 from screens.kit.canvas import Canvas
 from screens.kit.cart_dialog import ACCELERATION, MASS, CartDialog
 from screens.kit.events import Event, Resize, Tap, Tick
@@ -122,7 +122,7 @@ class Forces:
         """No dice are rolled: all is chosen."""
         self.size = size
         self.words = words
-        self.world = World(integrator="velocity-verlet")
+        self.world = new_world()
         known = {name: s.default for name, s in self.SETTINGS.items() if s.default is not None}
         chosen = {**known, **settings}
         self.carts = {

@@ -4,9 +4,9 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from engine import Collision, Force, Polygon, Push, Vector, World
+from engine import Collision, Force, Polygon, Push, Vector
 from screens.kit import arrows, hits, page, probes, theme
-from screens.kit.bodies import enclose, leaving, opacity
+from screens.kit.bodies import enclose, leaving, new_world, opacity
 from screens.kit.canvas import Canvas, bar_room
 from screens.kit.dial import STRONGEST, ForceDial
 from screens.kit.events import Event, Resize, Tap, Tick
@@ -62,7 +62,7 @@ class Inertia:
         self.size = size
         self.words = words
         self.room = room_of(size, layout(size).canvas)
-        self.world = World(integrator="velocity-verlet")
+        self.world = new_world()
         rolled = {
             "body.sides": 5.0 if dice() < 0.5 else 6.0,
             "body.restitution": dice(),

@@ -4,9 +4,9 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from engine import Body, Collision, Force, Particle, Push, Vector, Wall, World
+from engine import Body, Collision, Force, Particle, Push, Vector, Wall
 from screens.kit import gauge, hits, impulses, page, probes, theme
-from screens.kit.bodies import distance, enclose, opacity
+from screens.kit.bodies import distance, enclose, new_world, opacity
 from screens.kit.canvas import Canvas, bar_room
 from screens.kit.events import Event, Resize, Tap, Tick, Tilt
 from screens.kit.geometry import Point, Rect, Size
@@ -66,7 +66,7 @@ class Reactions:
         self.words = words
         self.dice = dice
         self.room = room_of(size, layout(size).canvas)
-        self.world = World(integrator="velocity-verlet")
+        self.world = new_world()
         known = {name: s.default for name, s in self.SETTINGS.items() if s.default is not None}
         self.chosen = {**known, **settings}
         enclose(self.world, self.room)

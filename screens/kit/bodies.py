@@ -1,4 +1,6 @@
-"""What the lessons have in common about bodies: the walls around them, and how solid they look."""
+"""What the lessons have in common about bodies: their world, the walls around it, how solid bodies
+look.
+"""
 
 import math
 from functools import lru_cache
@@ -14,6 +16,15 @@ SHORTEST = 0.3
 BESIDE = 7.0
 """How far beside a body an arrow is drawn that has no room before it (dp)."""
 SIDES = ("left", "top", "right", "bottom")
+
+
+def new_world() -> World:
+    """A world as lessons have it.
+
+    It moves a dozen bodies, so it stays interpreted: to change to machine code in the middle of a
+    long film would take 126 MB, for numba.
+    """
+    return World(integrator="velocity-verlet", kernels="interpreted")
 
 
 def enclose(world: World, room: Room, friction: float = 0.0) -> None:

@@ -3,8 +3,7 @@
     python tests/benchmarks/memory.py [LONG_SECONDS [WIDTH HEIGHT]]
 
 Each film is made in a process of its own; by default 10 minutes against 10 seconds at
-180x320 and 10 fps: memory must not depend on the number of frames, whatever their size. The world
-runs interpreted: one that goes on for long loads machine code, and numba with it, once.
+180x320 and 10 fps: memory must not depend on the number of frames, whatever their size.
 """
 
 import resource
@@ -25,9 +24,10 @@ def film(target: str, seconds: float, size: tuple[int, int]) -> None:
     from app.frames import Film, Frame, Moment
     from app.outputs import open_sink
     from app.outputs.remote import dismiss_workers
-    from engine import Particle, World
+    from engine import Particle
+    from screens.kit.bodies import new_world
 
-    world = World(kernels="interpreted")
+    world = new_world()
     for number in range(12):
         world.add(Particle(0.1), position=(number, 0), velocity=(1, 2))
     sink = open_sink(target, Film(*size, FPS, "Benchmark"), remote=True)

@@ -134,6 +134,13 @@ def test_what_one_lesson_rolls_does_not_change_another() -> None:
     assert direct.probes() == detour.probes()
 
 
+@pytest.mark.parametrize("id", SCREENS)
+def test_lessons_stay_interpreted(id: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """However long a film is: numba would take more memory than all the rest."""
+    monkeypatch.setenv("LAWS_KERNELS", "compiled")
+    assert lesson(id).world.kernels == "interpreted"
+
+
 def test_lessons_work_without_pygame() -> None:
     script = """
 import sys
