@@ -14,7 +14,7 @@ from engine.kernels.books import note_part
 from engine.kernels.contacts import STEADY_SWEEPS, STILL, stiffen
 from engine.kernels.following import find_points, follow, has_drifted
 from engine.kernels.halting import halt_fixed
-from engine.kernels.sticking import FIXED, find_fixed
+from engine.kernels.sticking import FIXED, HELD, find_fixed
 from engine.kernels.sweeps import ALL, QUIET, warm_start
 from engine.kernels.touches import touch
 from engine.linkage.limb_motion import keep_limb_impulses
@@ -93,7 +93,14 @@ def is_braked(t: Tables, pair: int) -> bool:
     row = 2 * pair
     slip += bodies.spin[b] * t.contacts.tangent_arm_b[row]
     slip -= bodies.spin[a] * t.contacts.tangent_arm_a[row]
-    return abs(slip) > SLIDING * t.pairs.size[pair]
+    if abs(slip) <= SLIDING * t.pairs.size[pair]:
+        return False
+    push = 0.0
+    rub = 0.0
+    for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
+        push += t.contacts.normal_impulse[row]
+        rub += t.contacts.tangent_impulse[row]
+    return push > 0.0 and abs(rub) >= HELD * t.pairs.static_friction[pair] * push
 
 
 def watch(t: Tables, row: int, dt: float) -> None:

@@ -5,6 +5,7 @@ import math
 import pytest
 
 from engine import Body, Circle, Force, Polygon, Wall, World
+from engine.kernels.steady import is_braked
 
 G = 9.81
 
@@ -74,6 +75,23 @@ def test_steady_bodies_slide_as_soon_as_friction_is_not_enough() -> None:
     a = G * (math.sin(angle) - 0.3 * math.cos(angle))
     assert box.vx == pytest.approx(a, rel=1e-3)
     assert box.x - start == pytest.approx(a / 2, rel=1e-3)
+
+
+def test_friction_brakes_what_it_cannot_hold_not_what_jiggles() -> None:
+    """Coulomb: friction that is below its most holds; a slip is then what sweeps have left."""
+    world = World(gravity=(0, -G), integrator="velocity-verlet")
+    world.add(Wall((-20, 0), (20, 0)), friction=0.5)
+    box = world.add(Polygon.box(1, 1), position=(0, 0.5), friction=0.5)
+    for _ in range(5):
+        world.step()
+    box.velocity = (1e-4, 0)
+    contacts = world.tables.contacts
+    held = sum(contacts.normal_impulse[row] for row in (0, 1))
+    for rub, brakes in ((0.0, False), (0.2, False), (0.5, True), (-0.5, True)):
+        contacts.tangent_impulse[0], contacts.tangent_impulse[1] = rub * held, 0.0
+        assert is_braked(world.tables, 0) is brakes
+    box.velocity = (0, 0)
+    assert not is_braked(world.tables, 0)
 
 
 def test_free_bodies_that_are_pressed_together_keep_their_momentum() -> None:
