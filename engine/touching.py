@@ -1,12 +1,12 @@
 """What touched what in the last tick, read from the tables as contacts of bodies."""
 
 from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from engine.contact import Contact
-from engine.kernels.touches import number_of_tick
+from engine.kernels.touches import impulses_of, number_of_tick
 from engine.store import Store
 from engine.tables import RESTING, SENSING, SLEEPING, Pairs
 from engine.vector import Vector
@@ -89,7 +89,7 @@ def _listed(store: Store, pairs: Pairs) -> Iterator[tuple[int, int, _Part]]:
         normal = Vector(pairs.normal_x[pair], pairs.normal_y[pair])
         points: tuple[Vector, ...] = ()
         if rests and pairs.points[pair] > 0:
-            push, rub = (0.0, 0.0) if sleeps else _resting_impulse(store, pair)
+            push, rub = (0.0, 0.0) if sleeps else impulses_of(store.tables, pair)
             x, y = x + push * normal.x - rub * normal.y, y + push * normal.y + rub * normal.x
             points = _resting_points(store, pair)
         elif now and pairs.state[pair] != SENSING:
@@ -100,13 +100,6 @@ def _listed(store: Store, pairs: Pairs) -> Iterator[tuple[int, int, _Part]]:
 def _last_tick(store: Store) -> int:
     """Number of the last tick, as in `touches`."""
     return number_of_tick(store.tables) - 1
-
-
-def _resting_impulse(store: Store, pair: int) -> tuple[float, float]:
-    """What a resting pair was given in the last part of the tick, along normal and tangent."""
-    table: Any = store.tables.contacts
-    rows = range(2 * pair, 2 * pair + store.tables.pairs.points[pair])
-    return sum(table.normal_impulse[i] for i in rows), sum(table.tangent_impulse[i] for i in rows)
 
 
 def _resting_points(store: Store, pair: int) -> tuple[Vector, ...]:

@@ -19,12 +19,12 @@ from engine.kernels.following import (
 )
 from engine.kernels.parting import part_gently
 from engine.kernels.sweeps import ALL, QUIET, WILD, warm_start
-from engine.linkage.limb_groups import sweep_groups
+from engine.linkage.limb_groups import only_trees_touch, sweep_groups
 from engine.linkage.limb_motion import bind_limbs
 from engine.linkage.limb_sweeps import sweep_all, sweep_all_until_calm, turn_limbs_by_shift
 from engine.linkage.limb_velocities import ease_limbs
 from engine.linkage.positions import bind, brace, follow_joints, keep_impulses
-from engine.linkage.tally import joints_act, joints_jolt
+from engine.linkage.tally import is_joined, joints_act, joints_jolt
 from engine.linkage.velocities import ease, keep_ends, prepare_ease
 from engine.tables import RESTING, Tables
 
@@ -100,13 +100,13 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
         harden(t, resting)
     warm_start(t, resting)
     t.progress.sweeps[0] = 2 * MOST_SWEEPS if is_uneven(t, resting) else MOST_SWEEPS
-    crowded = resting >= CROWD and not violent and not joints_act(t)
+    crowded = is_crowd(t, resting, violent)
     gives_up = not violent and not crowded and t.braces.sizes[0] == 0
     t.state.restless[0] = 0
     most = PATIENT_SWEEPS if violent else t.progress.sweeps[0]
     if crowded and most == MOST_SWEEPS:
         most = CROWD_SWEEPS
-    if t.bones.sizes[7] > 0 and t.braces.sizes[0] == 0:
+    if only_trees_touch(t):
         early = WILD_SWEEPS if gives_up else most + 1
         sweep_groups(t, resting, most, 1, CALM, most, CALM, early, True)
     else:
@@ -129,6 +129,11 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
             note_part(bodies, row)
 
 
+def is_crowd(t: Tables, resting: int, violent: bool) -> bool:
+    """Whether so many rest that sweeps take them as a crowd; not where joints or violence act."""
+    return resting >= CROWD and not violent and not joints_act(t)
+
+
 def has_settled(found: int, last: bool) -> bool:
     """Whether what a sweep found ends the sweeps: quiet, or still wild in the last for the wild."""
     return found == WILD if last else found == QUIET
@@ -140,11 +145,9 @@ def is_violent(t: Tables, resting: int) -> bool:
     What joints hold may stop at once where it jams, and the limb that it jams be light.
     """
     pairs = t.pairs
-    joined = t.bodies.joined
     for k in range(resting):
         pair = pairs.resting[k]
-        free = joined[pairs.a[pair]] == 0 and joined[pairs.b[pair]] == 0
-        if free and pairs.carried[pair] > VIOLENT * pairs.size[pair]:
+        if not is_joined(t, pair) and pairs.carried[pair] > VIOLENT * pairs.size[pair]:
             return True
     return False
 
@@ -193,10 +196,10 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
     else:
         violent = is_violent(t, left)
         polish = CALM if violent or t.state.restless[0] == 1 else FINE
-        crowded = left >= CROWD and not violent and not joints_act(t)
+        crowded = is_crowd(t, left, violent)
         gives_up = not violent and not crowded and t.braces.sizes[0] == 0
         most = PATIENT_SWEEPS if violent else t.progress.sweeps[0]
-        if t.bones.sizes[7] > 0 and t.braces.sizes[0] == 0:
+        if only_trees_touch(t):
             early = WILD_SWEEPS if gives_up else most + 1
             jammed = 1 if violent else JAMMED
             sweep_groups(t, left, most, jammed, polish, JOINED_SWEEPS, CALM, early, False)

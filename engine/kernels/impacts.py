@@ -16,6 +16,7 @@ from engine.kernels.joined_impacts import exchange_with_joints
 from engine.kernels.pose import advance, place_pair
 from engine.kernels.rubbing import belt_speed
 from engine.kernels.sleeping import wake
+from engine.linkage.tally import is_joined
 from engine.manifolds.any_pair import touching_points
 from engine.tables import FREE, RESTING, Bodies, Tables
 
@@ -67,7 +68,7 @@ def strike(
     if restitution < 1.0 and t.pairs.bounces[pair] >= BOUNCES:
         rests = True
     bounce = 1.0 if rests else 1.0 + restitution
-    if bodies.joined[a] == 1 or bodies.joined[b] == 1:
+    if is_joined(t, pair):
         exchange_with_joints(t, pair, one, other, bounce, now, time)
     else:
         exchange(t, pair, one, other, bounce, now + time)

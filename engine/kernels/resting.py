@@ -16,7 +16,7 @@ from engine.kernels.spring import DAMPING, RESTLESS, frequency, softness, softne
 from engine.kernels.steady import let_go
 from engine.kernels.sweeps import interleave
 from engine.kernels.touches import collect_last_part, leave, touch
-from engine.linkage.tally import joints_act
+from engine.linkage.tally import is_joined, joints_act
 from engine.tables import FREE, IMPACTS_AT_ONCE, LATER, NEVER, RESTING, Tables
 
 TOUCHING = 1e-5
@@ -194,8 +194,9 @@ def ready_all(
         touch(t, pair)
         pairs.meeting[pair] = LATER if does == LANDS else NEVER
         if does == SLAPS and not again and t.impacts.written[0] < IMPACTS_AT_ONCE:
-            joined = t.bodies.joined[a] == 1 or t.bodies.joined[b] == 1
-            near = pairs.speed[pair] * part if joined else OVERLAP * pairs.size[pair]
+            near = OVERLAP * pairs.size[pair]
+            if is_joined(t, pair):  # all that lands in the part is struck now
+                near = pairs.speed[pair] * part
             strike(t, pair, now, 0.0, substep, near, False)
             stirred[a] = stirred[b] = 1
             hit = True
@@ -261,7 +262,7 @@ def prepare(
     spin_b = bodies.spin[b]
     lowest = 1e300
     fastest = -1e300
-    joined = bodies.joined[a] == 1 or bodies.joined[b] == 1
+    joined = is_joined(t, pair)
     does = HOLDS
     for row in range(2 * pair, 2 * pair + pairs.points[pair]):
         gap = contacts.gap[row]

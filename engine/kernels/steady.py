@@ -16,7 +16,7 @@ from engine.kernels.following import find_points, follow, has_drifted
 from engine.kernels.halting import halt_fixed
 from engine.kernels.sticking import FIXED, HELD, find_fixed
 from engine.kernels.sweeps import ALL, QUIET, warm_start
-from engine.kernels.touches import touch
+from engine.kernels.touches import impulses_of, touch
 from engine.linkage.limb_motion import keep_limb_impulses
 from engine.linkage.limb_sweeps import bear_evenly, keep_loads, sweep_all, sweep_all_until_calm
 from engine.tables import Tables
@@ -95,11 +95,7 @@ def is_braked(t: Tables, pair: int) -> bool:
     slip -= bodies.spin[a] * t.contacts.tangent_arm_a[row]
     if abs(slip) <= SLIDING * t.pairs.size[pair]:
         return False
-    push = 0.0
-    rub = 0.0
-    for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
-        push += t.contacts.normal_impulse[row]
-        rub += t.contacts.tangent_impulse[row]
+    push, rub = impulses_of(t, pair)
     return push > 0.0 and abs(rub) >= HELD * t.pairs.static_friction[pair] * push
 
 

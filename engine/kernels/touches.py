@@ -48,14 +48,20 @@ def note_impact(t: Tables, pair: int, x: float, y: float, jx: float, jy: float) 
         pairs.normal_y[pair] = t.touch.normal_y[0]
 
 
+def impulses_of(t: Tables, pair: int) -> tuple[float, float]:
+    """The impulse that stands in `Contacts` for a pair, along its normal and tangent (N s)."""
+    push = 0.0
+    rub = 0.0
+    for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
+        push += t.contacts.normal_impulse[row]
+        rub += t.contacts.tangent_impulse[row]
+    return push, rub
+
+
 def collect(t: Tables, pair: int, share: float) -> None:
     """Add a share of the impulse that stands in `Contacts` to that of the tick."""
     pairs = t.pairs
-    push = 0.0
-    rub = 0.0
-    for row in range(2 * pair, 2 * pair + pairs.points[pair]):
-        push += t.contacts.normal_impulse[row]
-        rub += t.contacts.tangent_impulse[row]
+    push, rub = impulses_of(t, pair)
     pairs.given_x[pair] += share * (push * pairs.normal_x[pair] - rub * pairs.normal_y[pair])
     pairs.given_y[pair] += share * (push * pairs.normal_y[pair] + rub * pairs.normal_x[pair])
 

@@ -48,6 +48,7 @@ from engine.linkage.pace import (
 )
 from engine.linkage.tally import (
     clear_sums,
+    is_joined,
     joints_act,
     joints_that_act,
     mean_forces,
@@ -169,9 +170,9 @@ def travel(
             book_even(t, reached / part)
             if steadiness != MOVING:
                 book_fixed(t, count, reached / part)
-            if steadiness != MOVING and reached < part:
-                hand_on(t, count, held, reached / part)
             if reached < part:
+                if steadiness != MOVING:
+                    hand_on(t, count, held, reached / part)
                 take_back(t, held, 1.0 - reached / part)
             correct_arms(t, held, count, first, now, part, reached)
         if (held > 0 or joined > 0) and (steadiness != RELYING or reached < part):
@@ -270,7 +271,7 @@ def meet_in_order(
             return DONE, time, queued
         if rests and written[1] < limit and turning(t, pair, part - time) > PLUNGE:
             return DONE, time, queued
-        if t.bodies.joined[a] == 1 or t.bodies.joined[b] == 1:
+        if is_joined(t, pair):
             written[1] += joints_that_act(t) // 8  # joints make it dear: give up sooner
             queued = look_at_joined(t, a, b, time, part, queued, written[1] < 2 * limit)
         # What rests cannot wait for the end of a steady tick once something hits it.

@@ -13,6 +13,11 @@ NONE = -1
 """No group: what nothing moves."""
 
 
+def only_trees_touch(t: Tables) -> bool:
+    """Whether contacts act on trees of hinges, and no other joints act."""
+    return t.bones.sizes[7] > 0 and t.braces.sizes[0] == 0
+
+
 def sweep_groups(
     t: Tables,
     resting: int,

@@ -16,6 +16,12 @@ def joints_act(t: Tables) -> bool:
     return t.braces.sizes[0] > 0 or t.bones.sizes[0] > 0
 
 
+def is_joined(t: Tables, pair: int) -> bool:
+    """Whether joints hold one of the bodies of a pair."""
+    joined = t.bodies.joined
+    return joined[t.pairs.a[pair]] == 1 or joined[t.pairs.b[pair]] == 1
+
+
 def joints_jolt(t: Tables) -> bool:
     """Whether any joint gives an impulse at the start of a part."""
     return t.braces.sizes[0] > 0 or t.bones.sizes[7] < t.bones.sizes[3]

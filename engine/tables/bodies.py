@@ -269,7 +269,7 @@ class Fields(NamedTuple):
     law: Ints
     """Id of the law."""
     row: Ints
-    """Of the body, or `fields.EVERY_BODY`."""
+    """Of the body, or `EVERY_BODY`."""
     kind: Ints
     """`POINT_GRAVITY`, `SPRING_TO` or `GIVEN`."""
     x: Floats

@@ -186,19 +186,13 @@ def limbs(mode: str) -> World:
     return world
 
 
-def test_hinged_bodies_in_a_heap_give_the_same_bits() -> None:
-    worlds = [limbs(mode) for mode in ("interpreted", "compiled")]
+@pytest.mark.parametrize(("scene", "ticks"), [(limbs, 120), (linked, 90)])
+def test_joints_shapes_and_contact_laws_give_the_same_bits(
+    scene: Callable[[str], World], ticks: int
+) -> None:
+    worlds = [scene(mode) for mode in ("interpreted", "compiled")]
     for world in worlds:
-        for _ in range(120):
-            world.step()
-    assert worlds[0].digest() == worlds[1].digest()
-    assert worlds[0].ledger() == worlds[1].ledger()
-
-
-def test_joints_shapes_and_contact_laws_give_the_same_bits() -> None:
-    worlds = [linked(mode) for mode in ("interpreted", "compiled")]
-    for world in worlds:
-        for _ in range(90):
+        for _ in range(ticks):
             world.step()
     assert worlds[0].digest() == worlds[1].digest()
     assert worlds[0].ledger() == worlds[1].ledger()
