@@ -25,6 +25,15 @@ LOOKS = 3
 """Steps of Newton's method: each doubles the number of digits."""
 
 
+def is_deflected(t: Tables, row: int) -> bool:
+    """Whether an impact may have changed the velocity of a body, and that is not one of a tree of
+    hinges, all of which are looked at together.
+    """
+    bodies = t.bodies
+    deflected = bodies.inverse_mass[row] > 0.0 or bodies.inverse_inertia[row] > 0.0
+    return deflected and bodies.bone[row] == 0
+
+
 def look_again(t: Tables, row: int, time: float, part: float, queued: int, strict: bool) -> int:
     """Find anew, after an impact at `time` (s), when the pairs of a body meet."""
     first = t.bodies.first_link[row]

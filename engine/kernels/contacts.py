@@ -19,7 +19,7 @@ from engine.kernels.following import (
 )
 from engine.kernels.parting import part_gently
 from engine.kernels.sweeps import ALL, QUIET, WILD, warm_start
-from engine.linkage.limb_groups import only_trees_touch, sweep_groups
+from engine.linkage.limb_groups import EASING, EVENLY, PRESSING, only_trees_touch, sweep_groups
 from engine.linkage.limb_motion import bind_limbs
 from engine.linkage.limb_sweeps import sweep_all, sweep_all_until_calm, turn_limbs_by_shift
 from engine.linkage.limb_velocities import ease_limbs
@@ -69,13 +69,6 @@ CALM_SWEEPS = 2
 """A crowd whose contacts take more sweeps to be calm is restless: it relaxes no further than to be
 calm, and its overlaps are corrected more slowly in the next part."""
 
-JOINED_SWEEPS = 4
-"""Sweeps after which groups of joined bodies need not be finer than calm, to relax."""
-
-JAMMED = 4
-"""So many times more sweeps do they have at most: where limbs jam, what is left would drive them
-apart."""
-
 FINE = 1e-5
 """As `CALM`, to relax: sweeps without the spring also calm what rocks as a whole, of which each
 takes little."""
@@ -108,7 +101,8 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
         most = CROWD_SWEEPS
     if only_trees_touch(t):
         early = WILD_SWEEPS if gives_up else most + 1
-        sweep_groups(t, resting, most, 1, CALM, most, CALM, early, True)
+        few = PRESSING if most == MOST_SWEEPS else most
+        sweep_groups(t, resting, most, few, CALM, CALM, early, True)
     else:
         for i in range(1, most + 1):
             found = sweep_all(t, resting, CALM, i % 2 == 0, i if crowded else ALL)
@@ -201,8 +195,8 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
         most = PATIENT_SWEEPS if violent else t.progress.sweeps[0]
         if only_trees_touch(t):
             early = WILD_SWEEPS if gives_up else most + 1
-            jammed = 1 if violent else JAMMED
-            sweep_groups(t, left, most, jammed, polish, JOINED_SWEEPS, CALM, early, False)
+            few = EASING if most == MOST_SWEEPS else most
+            sweep_groups(t, left, most, few, polish, EVENLY, early, False)
         else:
             for i in range(1, most + 1):
                 found = sweep_all(t, left, polish, i % 2 == 1, i if crowded else ALL)

@@ -5,7 +5,7 @@ early when two bodies come to rest on each other, or when a body leaves the box 
 of pairs holds.
 """
 
-from engine.kernels.aftermath import await_corners, look_again, look_at_joined
+from engine.kernels.aftermath import await_corners, is_deflected, look_again, look_at_joined
 from engine.kernels.agenda import TOGETHER, dequeue, empty, next_to_meet
 from engine.kernels.books import book_lead, book_part
 from engine.kernels.contacts import correct_arms, relax
@@ -286,9 +286,9 @@ def meet_in_order(
                 cut = True
         if escaped:
             ending = ESCAPED
-        if t.bodies.bone[a] == 0:
+        if is_deflected(t, a):
             queued = look_again(t, a, time, part, queued, written[1] < 2 * limit)
-        if t.bodies.bone[b] == 0:
+        if is_deflected(t, b):
             queued = look_again(t, b, time, part, queued, written[1] < 2 * limit)
     if cut:
         return ending, reached, queued

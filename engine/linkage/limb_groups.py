@@ -1,4 +1,4 @@
-"""Groups of joined bodies that touch each other: each is swept until it is calm, for itself.
+"""Groups of joined bodies that touch each other: each is swept until it is calm, or a few times.
 
 Trees of hinges that touch each other form a group; bodies that no tree holds form one of their own,
 with all trees that they touch. What does not move at all carries no impulse from one to another, so
@@ -8,6 +8,16 @@ each group ends its sweeps when it is calm, not when all are; and all of it fits
 from engine.kernels.sweeps import ALL, QUIET, WILD, sweep
 from engine.linkage.limb_sweeps import sweep_tree
 from engine.tables import Tables
+
+PRESSING = 2
+"""Sweeps of a group of joined bodies at most, while overlaps are corrected: more of them only take
+hinges and contacts to and fro, and what they leave of hinges is solved exactly."""
+
+EASING = 4
+"""The same to relax,"""
+
+EVENLY = 1e-3
+"""or until one changes no velocity by more, in reaches a second (1/s)."""
 
 NONE = -1
 """No group: what nothing moves."""
@@ -22,10 +32,9 @@ def sweep_groups(
     t: Tables,
     resting: int,
     most: int,
-    jammed: int,
+    few: int,
     calm: float,
-    polished: int,
-    rough: float,
+    evenly: float,
     early: int,
     forth: bool,
 ) -> None:
@@ -35,10 +44,9 @@ def sweep_groups(
         t: the tables.
         resting: number of pairs that rest.
         most: number of sweeps at most,
-        jammed: so many times more for groups of joined bodies.
-        calm: a sweep that changes no velocity by more (reaches a second) is the last.
-        polished: from this sweep on,
-        rough: one that changes no velocity of joined bodies by more is the last, in the same unit.
+        few: and for groups in which all bodies are joined.
+        calm: a sweep that changes no velocity by more (reaches a second) is the last,
+        evenly: and for groups in which all bodies are joined.
         early: number of sweeps after which bodies that are not joined are left as they are, if
             they are still wild.
         forth: whether the first sweep goes forwards; they go to and fro in turn.
@@ -54,9 +62,10 @@ def sweep_groups(
             continue
         for k in range(first, end):
             listed[k - first] = t.pairs.grouped[k]
-        for i in range(1, (most if group == free else jammed * most) + 1):
+        joined = t.trees.group[free] != group
+        least = evenly if joined else calm
+        for i in range(1, (few if joined else most) + 1):
             backwards = (i % 2 == 0) == forth
-            least = rough if i >= polished and group != free else calm
             found = sweep_group(t, group, end - first, least, backwards)
             if found == QUIET or (found == WILD and group == free and i == early):
                 break
