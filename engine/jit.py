@@ -26,6 +26,7 @@ LAYOUT = (
     "tables.columns",
     "tables.bodies",
     "tables.pairs",
+    "tables.lanes",
     "tables.linkage",
     "tables.world",
 )
@@ -39,6 +40,7 @@ SOURCES = (
     "kernels.broadphase",
     "kernels.circles",
     "kernels.contacts",
+    "kernels.crowds",
     "kernels.fields",
     "kernels.following",
     "kernels.halting",

@@ -133,10 +133,12 @@ DERIVED = (
     "bodies.joined",
     "bodies.cluster",
     "bodies.stirred",
+    "bodies.block",
     "bodies.bone",
     "pairs.queue",
     "pairs.resting",
     "pairs.grouped",
+    "pairs.lane",
     "state.loose",
 )
 """Columns that are made anew before they are read: they are not saved."""

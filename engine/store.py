@@ -174,7 +174,7 @@ class Store:
             progress.room[0] = max(pairs + pairs // 2, self.count("pieces"))
             for name in ("pairs", "found", "parted"):
                 self.make_room(name, progress.room[0])
-            for name in ("contacts", "links"):
+            for name in ("contacts", "links", "lanes"):
                 self.make_room(name, 2 * progress.room[0])
 
     # Joints.

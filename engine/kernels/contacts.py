@@ -8,6 +8,14 @@ of the tick (or, when relaxing, at its end), so that angular momentum is kept to
 """
 
 from engine.kernels.books import book_relax, book_turn, note_part
+from engine.kernels.crowds import (
+    load_again,
+    pack,
+    pack_again,
+    sweep_until_calm,
+    unload,
+    warm_start_crowd,
+)
 from engine.kernels.following import (
     TUMBLING,
     are_buried,
@@ -18,7 +26,7 @@ from engine.kernels.following import (
     turning,
 )
 from engine.kernels.parting import part_gently
-from engine.kernels.sweeps import ALL, QUIET, WILD, warm_start
+from engine.kernels.sweeps import QUIET, WILD, warm_start
 from engine.linkage.limb_groups import EASING, EVENLY, PRESSING, only_trees_touch, sweep_groups
 from engine.linkage.limb_motion import bind_limbs
 from engine.linkage.limb_sweeps import sweep_all, sweep_all_until_calm, turn_limbs_by_shift
@@ -59,7 +67,7 @@ WILD_SWEEPS = 4
 joints act that are no hinges of trees, whose strain would grow."""
 
 CROWD = 64
-"""Contacts from which on sweeps pass over what is calm, and are taken in turns; see `sweeps`."""
+"""Contacts from which on they are taken in turns and side by side; see `sweeps` and `crowds`."""
 
 CROWD_SWEEPS = 3
 """Sweeps of a crowd that correct overlaps, at most, unless heavy bodies rest on light ones: those
@@ -85,30 +93,35 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
             bodies.kick_x[row] = bodies.vx[row] + ax * part
             bodies.kick_y[row] = bodies.vy[row] + ay * part
             bodies.kick_spin[row] = bodies.spin[row] + bodies.aspin[row] * part
-            bodies.stirred[row] = 0
             if (abs(ax) + abs(ay)) * part > VIOLENT * bodies.reach[row]:
                 violent = True
     brace(t, part)
     if violent:
         harden(t, resting)
-    warm_start(t, resting)
-    t.progress.sweeps[0] = 2 * MOST_SWEEPS if is_uneven(t, resting) else MOST_SWEEPS
     crowded = is_crowd(t, resting, violent)
+    t.lanes.sizes[2] = 0
+    if crowded:
+        pack(t, resting, count)
+        warm_start_crowd(t)
+    else:
+        warm_start(t, resting)
+    t.progress.sweeps[0] = 2 * MOST_SWEEPS if is_uneven(t, resting) else MOST_SWEEPS
     gives_up = not violent and not crowded and t.braces.sizes[0] == 0
     t.state.restless[0] = 0
     most = PATIENT_SWEEPS if violent else t.progress.sweeps[0]
     if crowded and most == MOST_SWEEPS:
         most = CROWD_SWEEPS
-    if only_trees_touch(t):
+    if crowded:
+        if sweep_until_calm(t, most, CALM, 0) > CALM_SWEEPS:
+            t.state.restless[0] = 1
+    elif only_trees_touch(t):
         early = WILD_SWEEPS if gives_up else most + 1
         few = PRESSING if most == MOST_SWEEPS else most
         sweep_groups(t, resting, most, few, CALM, CALM, early, True)
     else:
         for i in range(1, most + 1):
-            found = sweep_all(t, resting, CALM, i % 2 == 0, i if crowded else ALL)
+            found = sweep_all(t, resting, CALM, i % 2 == 0)
             failed = bind(t, part)
-            if crowded and i > CALM_SWEEPS:
-                t.state.restless[0] = 1
             if has_settled(found, gives_up and i == WILD_SWEEPS) and (
                 resting == 0 or failed <= CALM
             ):
@@ -167,7 +180,6 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
             bodies.kick_x[row] = bodies.vx[row]
             bodies.kick_y[row] = bodies.vy[row]
             bodies.kick_spin[row] = bodies.spin[row]
-            bodies.stirred[row] = 0
             bodies.middle_x[row] = bodies.x[row]
             bodies.middle_y[row] = bodies.y[row]
             bodies.middle_angle[row] = bodies.angle[row]
@@ -181,8 +193,11 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
             if are_buried(t, pair) and has_drifted(t, pair):
                 find_points(t, pair, 0.0)
             stiffen(t, pair, part)
+            load_again(t, pair)
             t.pairs.resting[left] = pair
             left += 1
+        else:
+            unload(t, pair)
     prepare_ease(t, part, done)
     still = False
     if steady:
@@ -193,13 +208,16 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
         crowded = is_crowd(t, left, violent)
         gives_up = not violent and not crowded and t.braces.sizes[0] == 0
         most = PATIENT_SWEEPS if violent else t.progress.sweeps[0]
-        if only_trees_touch(t):
+        if crowded:
+            pack_again(t, left, count)
+            sweep_until_calm(t, most, polish, 1)
+        elif only_trees_touch(t):
             early = WILD_SWEEPS if gives_up else most + 1
             few = EASING if most == MOST_SWEEPS else most
             sweep_groups(t, left, most, few, polish, EVENLY, early, False)
         else:
             for i in range(1, most + 1):
-                found = sweep_all(t, left, polish, i % 2 == 1, i if crowded else ALL)
+                found = sweep_all(t, left, polish, i % 2 == 1)
                 failed = ease(t)
                 if has_settled(found, gives_up and i == WILD_SWEEPS) and (
                     left == 0 or failed <= CALM
@@ -208,6 +226,7 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
     ease_limbs(t)
     part_gently(t, left, part * done)
     keep_ends(t, part, done, steady)
+    t.lanes.sizes[2] = 0
     book_relax(t, left, count)
     for row in range(count):
         if bodies.held[row] > 0:

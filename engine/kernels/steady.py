@@ -15,7 +15,7 @@ from engine.kernels.contacts import STEADY_SWEEPS, STILL, stiffen
 from engine.kernels.following import find_points, follow, has_drifted
 from engine.kernels.halting import halt_fixed
 from engine.kernels.sticking import FIXED, HELD, find_fixed
-from engine.kernels.sweeps import ALL, QUIET, warm_start
+from engine.kernels.sweeps import QUIET, warm_start
 from engine.kernels.touches import impulses_of, touch
 from engine.linkage.limb_motion import keep_limb_impulses
 from engine.linkage.limb_sweeps import bear_evenly, keep_loads, sweep_all, sweep_all_until_calm
@@ -180,7 +180,7 @@ def balance(t: Tables, count: int, resting: int, part: float) -> int:
     warm_start(t, resting)
     bear_evenly(t, part)
     found = MOVING
-    if sweep_all(t, resting, BEARING, False, ALL) == QUIET:
+    if sweep_all(t, resting, BEARING, False) == QUIET:
         for k in range(resting):
             touch(t, t.pairs.resting[k])
         found = BALANCED if sweep_all_until_calm(t, resting, STEADY_SWEEPS, STILL) else UNEVEN

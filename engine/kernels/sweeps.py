@@ -2,9 +2,6 @@
 
 Each sweep brings the impulses nearer to those that suit all (projected Gauss-Seidel: Erin Catto,
 "Iterative dynamics with temporal coherence", 2005). They start from those of the part before.
-
-In a crowd, sweeps after the first pass over contacts between bodies that nothing has stirred since:
-what is calm there stays calm.
 """
 
 from engine.kernels.rubbing import outruns_forces, resist_rolling
@@ -18,9 +15,6 @@ WILDLY = 0.2
 
 STREAMS = 4
 """Into so many parts the list of pairs is divided."""
-
-ALL = 0
-"""Number of a sweep that passes over nothing."""
 
 
 def interleave(t: Tables, resting: int) -> None:
@@ -85,7 +79,7 @@ def warm_start(t: Tables, resting: int) -> None:
             kick_spin[b] += bodies.inverse_inertia[b] * turn_b
 
 
-def sweep(t: Tables, resting: int, calm: float, backwards: bool, number: int) -> int:
+def sweep(t: Tables, resting: int, calm: float, backwards: bool) -> int:
     """Solve each resting pair once, along the normal, then against the sliding and the rolling.
 
     What slides faster than static friction can stop is braked by kinetic friction. Sweeps go to and
@@ -96,13 +90,10 @@ def sweep(t: Tables, resting: int, calm: float, backwards: bool, number: int) ->
         resting: number of pairs.
         calm: change of a normal velocity that does not count (reaches a second).
         backwards: whether to begin with the last pair.
-        number: 1 for the first sweep of several, and so on, if pairs that nothing stirred in the
-            sweep before and in this one may be passed over; else `ALL`.
 
     Returns how normal velocities changed: `QUIET`, `STIRRED` or `WILD`.
     """
     bodies = t.bodies
-    stirred = bodies.stirred
     pairs = t.pairs
     kick_x = bodies.kick_x
     kick_y = bodies.kick_y
@@ -126,9 +117,6 @@ def sweep(t: Tables, resting: int, calm: float, backwards: bool, number: int) ->
         pair = pairs.resting[k]
         a = pairs.a[pair]
         b = pairs.b[pair]
-        if number > 1 and stirred[a] < number - 1 and stirred[b] < number - 1:
-            continue
-        stirs = False
         nx = pairs.normal_x[pair]
         ny = pairs.normal_y[pair]
         grip = pairs.static_friction[pair]
@@ -167,7 +155,6 @@ def sweep(t: Tables, resting: int, calm: float, backwards: bool, number: int) ->
             spin_b += turn_b * arm_b * change
             most = still * hardness[row]
             if change > most or -change > most:
-                stirs = True
                 if found == QUIET:
                     found = STIRRED
                 if change > wilder * most or -change > wilder * most:
@@ -190,9 +177,6 @@ def sweep(t: Tables, resting: int, calm: float, backwards: bool, number: int) ->
                 tangent_impulse[row] = after
                 change = after - before
                 rub += change
-                most = still * tangent_mass[row]
-                if change > most or -change > most:
-                    stirs = True
                 sliding += mass * change
                 spin_a -= turn_a * arm_a * change
                 spin_b += turn_b * arm_b * change
@@ -216,9 +200,4 @@ def sweep(t: Tables, resting: int, calm: float, backwards: bool, number: int) ->
         kick_x[b] += mass_b * x
         kick_y[b] += mass_b * y
         kick_spin[b] = spin_b
-        if stirs and number != ALL:
-            if mass_a > 0.0:
-                stirred[a] = number
-            if mass_b > 0.0:
-                stirred[b] = number
     return found

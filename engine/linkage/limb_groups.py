@@ -5,7 +5,7 @@ with all trees that they touch. What does not move at all carries no impulse fro
 each group ends its sweeps when it is calm, not when all are; and all of it fits into the cache.
 """
 
-from engine.kernels.sweeps import ALL, QUIET, WILD, sweep
+from engine.kernels.sweeps import QUIET, WILD, sweep
 from engine.linkage.limb_sweeps import sweep_tree
 from engine.tables import Tables
 
@@ -87,7 +87,7 @@ def sweep_group(t: Tables, group: int, pairs: int, calm: float, backwards: bool)
                 found = moved
         tree = t.trees.next[tree]
     if pairs > 0:
-        moved = sweep(t, pairs, calm, backwards, ALL)
+        moved = sweep(t, pairs, calm, backwards)
         if moved > found:
             found = moved
     return found

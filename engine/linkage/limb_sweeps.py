@@ -8,7 +8,7 @@ nothing else held its two bodies, then one contact after the other (sequential i
 of the error of hinges is taken by an exact solution (`limb_motion`, `limb_velocities`).
 """
 
-from engine.kernels.sweeps import ALL, QUIET, STIRRED, WILD, WILDLY, sweep
+from engine.kernels.sweeps import QUIET, STIRRED, WILD, WILDLY, sweep
 from engine.linkage.jolts import jolt
 from engine.linkage.limb_impulses import deliver_starts, forget_jolts, lend_all, read_own
 from engine.linkage.limbs import place_bone, place_limb
@@ -125,7 +125,7 @@ def grip(t: Tables, k: int) -> None:
     limbs.grip_yy[k] = xx * scale
 
 
-def sweep_all(t: Tables, resting: int, calm: float, backwards: bool, number: int) -> int:
+def sweep_all(t: Tables, resting: int, calm: float, backwards: bool) -> int:
     """Solve each hinge of a tree on which contacts act once, then each resting pair.
 
     Returns how velocities changed, as `sweep` does, which also says what the arguments are.
@@ -133,7 +133,7 @@ def sweep_all(t: Tables, resting: int, calm: float, backwards: bool, number: int
     moved = QUIET
     if t.bones.sizes[7] > 0:
         moved = sweep_limbs(t, calm, backwards)
-    found = sweep(t, resting, calm, backwards, number)
+    found = sweep(t, resting, calm, backwards)
     return moved if moved > found else found
 
 
@@ -142,7 +142,7 @@ def sweep_all_until_calm(t: Tables, resting: int, most: int, calm: float) -> boo
     it became calm.
     """
     for i in range(most):  # noqa: SIM110, a loop that can be compiled
-        if sweep_all(t, resting, calm, i % 2 == 0, ALL) == QUIET:
+        if sweep_all(t, resting, calm, i % 2 == 0) == QUIET:
             return True
     return False
 

@@ -20,6 +20,7 @@ from engine.tables.columns import (
     sort_rows,
     views,
 )
+from engine.tables.lanes import LANES, Lanes
 from engine.tables.linkage import (
     Arms,
     Bones,
@@ -56,6 +57,7 @@ from engine.tables.world import ROWS, Books, Counts, Progress, State, Tables, Tr
 __all__ = [
     "FREE",
     "IMPACTS_AT_ONCE",
+    "LANES",
     "LATER",
     "LINE",
     "NEVER",
@@ -82,6 +84,7 @@ __all__ = [
     "Impacts",
     "Ints",
     "Joints",
+    "Lanes",
     "Limbs",
     "Links",
     "Materials",

@@ -160,7 +160,10 @@ class Bodies(NamedTuple):
     middle_angle: Floats
     """(rad)"""
     stirred: Ints
-    """Last sweep over contacts that changed its velocity by more than counts; see `sweeps`."""
+    """1 if it was struck while contacts were readied; see `resting`. Also one of its pairs; see
+    `halting`."""
+    block: Ints
+    """Last block of `Lanes` with one of its contacts, from 1; 0: none."""
     shift_x: Floats
     """Mean position over the present part, less that for which contacts were solved (m)."""
     shift_y: Floats

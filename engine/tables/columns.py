@@ -12,7 +12,7 @@ SIDE_BY_SIDE = {
     "Pairs": (
         "piece_a", "piece_b", "restitution", "friction", "static_friction",
         "rolling_resistance", "belt_speed", "rolling_torque", "normal_x", "normal_y", "points",
-        "booked_rolling", "acting", "carried", "part", "steady", "seen_x", "seen_y",
+        "booked_rolling", "lane", "acting", "carried", "part", "steady", "seen_x", "seen_y",
         "seen_angle_a", "seen_angle_b", "drift", "touched", "touched_before", "given_x",
         "given_y", "hit_x", "hit_y", "bounces",
     ),

@@ -54,6 +54,8 @@ class Pairs(NamedTuple):
     """Number of rows in `Contacts`, 0 to 2, from row 2 * pair on."""
     booked_rolling: Floats
     """What of the rolling resistance has been booked (N m s)."""
+    lane: Ints
+    """Row of `Lanes` while a crowd is packed, -1: none; see `crowds`."""
     acting: Ints
     """Number of those that act in the present part, whatever impacts make of the pair meanwhile."""
     carried: Floats

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from engine.tables.bodies import Bodies, Corners, Fields, Materials, Pieces, Pushes
 from engine.tables.columns import Floats, Ints, allocate, views
+from engine.tables.lanes import Lanes
 from engine.tables.linkage import (
     Arms,
     Bones,
@@ -173,6 +174,7 @@ class Tables(NamedTuple):
     pairs: Pairs
     contacts: Contacts
     links: Links
+    lanes: Lanes
     touch: Touch
     impacts: Impacts
     joints: Joints
@@ -206,6 +208,7 @@ ROWS = {
     "pairs": 64,
     "contacts": 128,
     "links": 128,
+    "lanes": 128,
     "found": 64,
     "parted": 64,
     "grid": 128,
