@@ -73,6 +73,7 @@ SOURCES = (
     "manifolds.seam",
     "kernels.meeting",
     "kernels.neighbours",
+    "kernels.packing",
     "kernels.pairing",
     "kernels.parting",
     "kernels.pose",

@@ -133,6 +133,7 @@ DERIVED = (
     "bodies.joined",
     "bodies.cluster",
     "bodies.stirred",
+    "bodies.placed",
     "bodies.block",
     "bodies.bone",
     "pairs.queue",

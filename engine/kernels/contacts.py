@@ -8,14 +8,7 @@ of the tick (or, when relaxing, at its end), so that angular momentum is kept to
 """
 
 from engine.kernels.books import book_relax, book_turn, note_part
-from engine.kernels.crowds import (
-    load_again,
-    pack,
-    pack_again,
-    sweep_until_calm,
-    unload,
-    warm_start_crowd,
-)
+from engine.kernels.crowds import sweep_until_calm, warm_start_crowd
 from engine.kernels.following import (
     TUMBLING,
     are_buried,
@@ -25,6 +18,7 @@ from engine.kernels.following import (
     share_of_b,
     turning,
 )
+from engine.kernels.packing import pack, pack_again, relax_lane, unload
 from engine.kernels.parting import part_gently
 from engine.kernels.sweeps import QUIET, WILD, warm_start
 from engine.linkage.limb_groups import EASING, EVENLY, PRESSING, only_trees_touch, sweep_groups
@@ -69,13 +63,11 @@ joints act that are no hinges of trees, whose strain would grow."""
 CROWD = 64
 """Contacts from which on they are taken in turns and side by side; see `sweeps` and `crowds`."""
 
-CROWD_SWEEPS = 3
+CROWD_SWEEPS = 2
 """Sweeps of a crowd that correct overlaps, at most, unless heavy bodies rest on light ones: those
-that relax matter more, and none is left wild. Else high heaps would boil without end."""
-
-CALM_SWEEPS = 2
-"""A crowd whose contacts take more sweeps to be calm is restless: it relaxes no further than to be
-calm, and its overlaps are corrected more slowly in the next part."""
+that relax matter more. Else high heaps would boil without end. A crowd that is not calm by then is
+restless: it relaxes no further than to be calm, and its overlaps are corrected more slowly in the
+next part."""
 
 FINE = 1e-5
 """As `CALM`, to relax: sweeps without the spring also calm what rocks as a whole, of which each
@@ -99,21 +91,20 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
     if violent:
         harden(t, resting)
     crowded = is_crowd(t, resting, violent)
-    t.lanes.sizes[2] = 0
     if crowded:
-        pack(t, resting, count)
+        if t.lanes.sizes[2] == 0:
+            pack(t, resting, count)
         warm_start_crowd(t)
     else:
+        t.lanes.sizes[2] = 0
         warm_start(t, resting)
     t.progress.sweeps[0] = 2 * MOST_SWEEPS if is_uneven(t, resting) else MOST_SWEEPS
     gives_up = not violent and not crowded and t.braces.sizes[0] == 0
     t.state.restless[0] = 0
     most = PATIENT_SWEEPS if violent else t.progress.sweeps[0]
-    if crowded and most == MOST_SWEEPS:
-        most = CROWD_SWEEPS
     if crowded:
-        if sweep_until_calm(t, most, CALM, 0) > CALM_SWEEPS:
-            t.state.restless[0] = 1
+        calm = sweep_until_calm(t, CROWD_SWEEPS if most == MOST_SWEEPS else most, CALM, 0)
+        t.state.restless[0] = 0 if calm else 1
     elif only_trees_touch(t):
         early = WILD_SWEEPS if gives_up else most + 1
         few = PRESSING if most == MOST_SWEEPS else most
@@ -183,21 +174,25 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
             bodies.middle_x[row] = bodies.x[row]
             bodies.middle_y[row] = bodies.y[row]
             bodies.middle_angle[row] = bodies.angle[row]
+    packed = t.lanes.sizes[2] == 1
     left = 0
     for k in range(resting):
         pair = t.pairs.resting[k]
+        row = t.pairs.lane[pair] if packed else -1
         t.pairs.acting[pair] = 0
         if t.pairs.state[pair] == RESTING and turning(t, pair, part) <= TUMBLING:
             remember(t, pair)
             follow(t, pair, BARELY)
             if are_buried(t, pair) and has_drifted(t, pair):
                 find_points(t, pair, 0.0)
-            stiffen(t, pair, part)
-            load_again(t, pair)
+            if row >= 0:
+                relax_lane(t, pair, row, part)
+            else:
+                stiffen(t, pair, part)
             t.pairs.resting[left] = pair
             left += 1
-        else:
-            unload(t, pair)
+        elif row >= 0:
+            unload(t, row)
     prepare_ease(t, part, done)
     still = False
     if steady:
@@ -208,6 +203,9 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
         crowded = is_crowd(t, left, violent)
         gives_up = not violent and not crowded and t.braces.sizes[0] == 0
         most = PATIENT_SWEEPS if violent else t.progress.sweeps[0]
+        if packed and not crowded:
+            for k in range(left):
+                stiffen(t, t.pairs.resting[k], part)
         if crowded:
             pack_again(t, left, count)
             sweep_until_calm(t, most, polish, 1)
@@ -226,7 +224,6 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
     ease_limbs(t)
     part_gently(t, left, part * done)
     keep_ends(t, part, done, steady)
-    t.lanes.sizes[2] = 0
     book_relax(t, left, count)
     for row in range(count):
         if bodies.held[row] > 0:

@@ -7,7 +7,7 @@ error of an arm, both bodies have the same point: the arm of b is that of a less
 b.
 """
 
-from engine.kernels.pose import place_pair
+from engine.kernels.pose import place_once, place_pair
 from engine.kernels.rubbing import belt_speed
 from engine.manifolds.any_pair import touching_points
 from engine.tables import Tables
@@ -179,12 +179,24 @@ def find_points(t: Tables, pair: int, time: float) -> None:
 
     The impulses of points that were known before are kept.
     """
+    place_pair(t, pair, time)
+    find_placed_points(t, pair)
+
+
+def find_points_once(t: Tables, pair: int, time: float) -> None:
+    """The same, where bodies are placed once for all their contacts; see `Bodies.placed`."""
+    place_once(t, t.pairs.a[pair], t.pairs.piece_a[pair], time)
+    place_once(t, t.pairs.b[pair], t.pairs.piece_b[pair], time)
+    find_placed_points(t, pair)
+
+
+def find_placed_points(t: Tables, pair: int) -> None:
+    """The same for bodies that are placed."""
     bodies = t.bodies
     pairs = t.pairs
     contacts = t.contacts
     a = pairs.a[pair]
     b = pairs.b[pair]
-    place_pair(t, pair, time)
     first = 2 * pair
     before = pairs.points[pair]
     old_0 = contacts.feature[first]

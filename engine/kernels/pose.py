@@ -40,6 +40,13 @@ def place_piece(t: Tables, row: int, piece: int, time: float) -> None:
     turn(t.corners, first, first + t.pieces.corners[piece], x, y, angle)
 
 
+def place_once(t: Tables, row: int, piece: int, time: float) -> None:
+    """The same, if the body was not yet placed there; see `Bodies.placed`."""
+    if t.bodies.placed[row] == 0 or t.bodies.pieces[row] > 1:
+        t.bodies.placed[row] = 1
+        place_piece(t, row, piece, time)
+
+
 def put(bodies: Bodies, corners: Corners, row: int, x: float, y: float, angle: float) -> None:
     """Put the corners of a body where they are if it stands at (x, y), turned by `angle`."""
     bodies.here_x[row] = x

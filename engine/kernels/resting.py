@@ -7,9 +7,16 @@ impact; there is no speed below which bodies do not bounce.
 
 from engine.kernels.circles import stillness, wall_of
 from engine.kernels.contacts import CROWD, kick
-from engine.kernels.following import TUMBLING, find_points, follow, has_drifted, turning
+from engine.kernels.following import (
+    TUMBLING,
+    find_points_once,
+    follow,
+    has_drifted,
+    turning,
+)
 from engine.kernels.impacts import acceleration, stays, strike
 from engine.kernels.meeting import NOWHERE, approach_at, notice_passing, slides_over
+from engine.kernels.packing import clear_lane, is_packed, load_points
 from engine.kernels.parting import PUSH
 from engine.kernels.sleeping import wake
 from engine.kernels.spring import DAMPING, RESTLESS, frequency, softness, softness_left
@@ -66,8 +73,10 @@ def settle(t: Tables, count: int, pair_count: int, shortest: float) -> int:
         if pairs.state[pair] == RESTING:
             pairs.resting[resting] = pair
             resting += 1
+    t.lanes.sizes[2] = 0
     if resting >= CROWD and not joints_act(t):
         interleave(t, resting)
+        t.lanes.sizes[2] = 1 if is_packed(t, resting) else 0
     if resting > 0 or t.progress.straight[0] == 0:
         count_holds(t, count, resting)
     return resting
@@ -155,22 +164,28 @@ def ready_all(
     """
     pairs = t.pairs
     stirred = t.bodies.stirred
+    placed = t.bodies.placed
     inverse_mass = t.bodies.inverse_mass
     omega = frequency(substep)
     damping = DAMPING * RESTLESS if t.state.restless[0] == 1 else DAMPING
     softly, yielding = softness(part, omega, damping)
     firmly, bearing = softness(part, 2.0 * omega, damping)
     some = again and not joints_act(t)
+    packed = t.lanes.sizes[2] == 1
     kept = 0
     hit = False
     for k in range(resting):
         pair = pairs.resting[k]
         pairs.acting[pair] = 0
         if pairs.state[pair] != RESTING:
+            if packed:
+                clear_lane(t, pairs.lane[pair])
             continue
         a = pairs.a[pair]
         b = pairs.b[pair]
         if some and stirred[a] == 0 and stirred[b] == 0:
+            if packed:
+                pairs.acting[pair] = pairs.points[pair]
             pairs.resting[kept] = pair
             kept += 1
             continue
@@ -181,7 +196,7 @@ def ready_all(
         if pairs.points[pair] > 0:
             follow(t, pair, 0.0)
         if has_drifted(t, pair):
-            find_points(t, pair, part / 2.0)
+            find_points_once(t, pair, part / 2.0)
         if inverse_mass[a] == 0.0 or inverse_mass[b] == 0.0:
             does = prepare(t, pair, part, 2.0 * omega, firmly, bearing)
         else:
@@ -190,6 +205,8 @@ def ready_all(
             leave(t, pair)
             pairs.state[pair] = FREE
             pairs.apart[pair] = 0.0
+            if packed:
+                clear_lane(t, pairs.lane[pair])
             continue
         touch(t, pair)
         pairs.meeting[pair] = LATER if does == LANDS else NEVER
@@ -199,7 +216,10 @@ def ready_all(
                 near = pairs.speed[pair] * part
             strike(t, pair, now, 0.0, substep, near, False)
             stirred[a] = stirred[b] = 1
+            placed[a] = placed[b] = 0
             hit = True
+        if packed:
+            load_points(t, pair, pairs.lane[pair])
         pairs.resting[kept] = pair
         kept += 1
     return kept, hit
@@ -213,6 +233,7 @@ def place_middle(t: Tables, count: int, half: float, again: bool) -> None:
     bodies = t.bodies
     for row in range(count):
         if bodies.held[row] > 0:
+            bodies.placed[row] = 0
             bodies.path_x[row] = 0.0
             bodies.path_y[row] = 0.0
             bodies.path_spin[row] = 0.0

@@ -108,6 +108,7 @@ def move(t: Tables, laws: Laws, dt: float) -> int:
     count = t.counts.bodies[0]
     pairs = t.counts.pairs[0]
     substep = dt / laws.substeps
+    t.lanes.sizes[3] = 0  # pairs may stand in other rows now
     if t.progress.begun[0] == 0:
         t.progress.begun[0] = 1
         t.impacts.written[1] = 0

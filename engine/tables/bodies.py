@@ -162,6 +162,8 @@ class Bodies(NamedTuple):
     stirred: Ints
     """1 if it was struck while contacts were readied; see `resting`. Also one of its pairs; see
     `halting`."""
+    placed: Ints
+    """1 if its corners stand as in the middle of the part, while contacts are readied."""
     block: Ints
     """Last block of `Lanes` with one of its contacts, from 1; 0: none."""
     shift_x: Floats

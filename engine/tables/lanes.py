@@ -17,8 +17,13 @@ class Lanes(NamedTuple):
 
     filled: Ints
     """By blocks (not by row): how many of its rows are in use, the first ones."""
+    points: Ints
+    """By blocks: how many points its pairs may have, 1 or 2."""
     sizes: Ints
-    """First rows: number of blocks; of pairs that are not packed; 1 while a crowd is packed."""
+    """First rows: number of blocks; of pairs that are not packed; 1 while a crowd is packed; of
+    `listed`, 0 if there are others than those."""
+    listed: Ints
+    """Pairs that were packed, as they were listed (not by row)."""
     pair: Ints
     """Row of `Pairs`."""
     a: Ints
