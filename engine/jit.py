@@ -47,6 +47,8 @@ SOURCES = (
     "kernels.impacts",
     "kernels.impulses",
     "kernels.joined_impacts",
+    "kernels.islands",
+    "linkage.acting",
     "linkage.answers",
     "linkage.geometry",
     "linkage.impulses",

@@ -131,6 +131,7 @@ DERIVED = (
     "bodies.first_link",
     "bodies.links",
     "bodies.joined",
+    "bodies.waits",
     "bodies.cluster",
     "bodies.stirred",
     "bodies.placed",
@@ -140,6 +141,7 @@ DERIVED = (
     "pairs.resting",
     "pairs.grouped",
     "pairs.lane",
+    "pairs.waiting",
     "state.loose",
 )
 """Columns that are made anew before they are read: they are not saved."""

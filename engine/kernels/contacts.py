@@ -21,9 +21,16 @@ from engine.kernels.following import (
 from engine.kernels.packing import pack, pack_again, relax_lane, unload
 from engine.kernels.parting import part_gently
 from engine.kernels.sweeps import QUIET, WILD, warm_start
-from engine.linkage.limb_groups import EASING, EVENLY, PRESSING, only_trees_touch, sweep_groups
+from engine.linkage.limb_groups import (
+    EASING,
+    EVENLY,
+    PRESSING,
+    calm_groups,
+    only_trees_touch,
+    sweep_groups,
+)
 from engine.linkage.limb_motion import bind_limbs
-from engine.linkage.limb_sweeps import sweep_all, sweep_all_until_calm, turn_limbs_by_shift
+from engine.linkage.limb_sweeps import sweep_all, turn_limbs_by_shift
 from engine.linkage.limb_velocities import ease_limbs
 from engine.linkage.positions import bind, brace, follow_joints, keep_impulses
 from engine.linkage.tally import is_joined, joints_act, joints_jolt
@@ -196,7 +203,7 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
     prepare_ease(t, part, done)
     still = False
     if steady:
-        still = sweep_all_until_calm(t, left, 2 * STEADY_SWEEPS, STILL)
+        still = calm_groups(t, left, 2 * STEADY_SWEEPS, STILL)
     else:
         violent = is_violent(t, left)
         polish = CALM if violent or t.state.restless[0] == 1 else FINE

@@ -123,7 +123,7 @@ def stays(t: Tables, pair: int, leaving: float, shortest: float, again: bool) ->
     of_a = bodies.ax[a] * normal_x + bodies.ay[a] * normal_y
     of_b = bodies.ax[b] * normal_x + bodies.ay[b] * normal_y
     fall = of_a - of_b
-    if bodies.held[a] > 0 or bodies.held[b] > 0:
+    if bodies.held[a] != 0 or bodies.held[b] != 0:
         if again:
             fall = acceleration(bodies, a) + acceleration(bodies, b)
         else:

@@ -45,7 +45,8 @@ that carries nothing is hit faster than forces explain; one will be so later in 
 
 
 def settle(t: Tables, count: int, pair_count: int, shortest: float) -> int:
-    """List the pairs that rest at the start of a part; count for each body those it is held by.
+    """List the pairs that rest at the start of a part, but for those that wait; count for each body
+    those it is held by.
 
     Args:
         t: the tables; clocks stand at zero.
@@ -55,6 +56,7 @@ def settle(t: Tables, count: int, pair_count: int, shortest: float) -> int:
     """
     pairs = t.pairs
     one_sided = t.pieces.one_sided
+    waits = t.bodies.waits
     resting = 0
     for pair in range(pair_count):
         if pairs.state[pair] == FREE and pairs.apart[pair] > TOUCHING * pairs.size[pair]:
@@ -70,7 +72,9 @@ def settle(t: Tables, count: int, pair_count: int, shortest: float) -> int:
             pairs.carried[pair] = 0.0
             pairs.steady[pair] = 0
             pairs.points[pair] = 0
-        if pairs.state[pair] == RESTING:
+            if waits[pairs.a[pair]] + waits[pairs.b[pair]] > 0:
+                t.progress.roused[0] = 1
+        if pairs.state[pair] == RESTING and waits[pairs.a[pair]] + waits[pairs.b[pair]] == 0:
             pairs.resting[resting] = pair
             resting += 1
     t.lanes.sizes[2] = 0
@@ -87,7 +91,8 @@ def count_holds(t: Tables, count: int, resting: int) -> None:
     held = t.bodies.held
     joined = t.bodies.joined
     for row in range(count):
-        held[row] = joined[row]
+        if t.bodies.waits[row] == 0:
+            held[row] = joined[row]
     for k in range(resting):
         pair = t.pairs.resting[k]
         held[t.pairs.a[pair]] += 1

@@ -129,6 +129,7 @@ def wake(t: Tables, row: int) -> None:
     if bodies.asleep[row] == 0:
         return
     get_up(t, row)
+    t.progress.roused[0] = 1
     changed = True
     while changed:
         changed = False

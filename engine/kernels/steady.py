@@ -17,8 +17,9 @@ from engine.kernels.halting import halt_fixed
 from engine.kernels.sticking import FIXED, HELD, find_fixed
 from engine.kernels.sweeps import QUIET, warm_start
 from engine.kernels.touches import impulses_of, touch
+from engine.linkage.limb_groups import calm_groups
 from engine.linkage.limb_motion import keep_limb_impulses
-from engine.linkage.limb_sweeps import bear_evenly, keep_loads, sweep_all, sweep_all_until_calm
+from engine.linkage.limb_sweeps import bear_evenly, keep_loads, sweep_all
 from engine.tables import Tables
 
 MOVING, UNEVEN, BALANCED, RELYING = 0, 1, 2, 3
@@ -59,25 +60,13 @@ EXACTLY = 5e-6
 relied on, in the same unit."""
 
 
-def is_steady(t: Tables, count: int, resting: int, dt: float) -> bool:
-    """Whether all that rests, on nothing that runs, has rested before and hardly moved for long.
-
-    Counts ticks (of `dt` seconds): to be called once a tick.
-    """
-    bodies = t.bodies
-    steady = True
-    for row in range(count):
-        if bodies.held[row] == 0:
-            bodies.calm[row] = 0
-        else:
-            watch(t, row, dt)
-            steady = steady and bodies.calm[row] >= LONG
-    if steady:
-        for k in range(resting):
-            pair = t.pairs.resting[k]
-            if t.pairs.points[pair] == 0 or t.pairs.belt_speed[pair] != 0.0 or is_braked(t, pair):
-                return False
-    return steady
+def is_unsteady(t: Tables, pair: int) -> bool:
+    """Whether a contact is new, runs, is braked, or is one with something immovable that moves."""
+    pairs = t.pairs
+    if pairs.points[pair] == 0 or pairs.belt_speed[pair] != 0.0:
+        return True
+    calm = t.bodies.calm
+    return calm[pairs.a[pair]] < LONG or calm[pairs.b[pair]] < LONG or is_braked(t, pair)
 
 
 def is_braked(t: Tables, pair: int) -> bool:
@@ -179,11 +168,16 @@ def balance(t: Tables, count: int, resting: int, part: float) -> int:
     push_all(t, count, part)
     warm_start(t, resting)
     bear_evenly(t, part)
+    for row in range(count):
+        if t.bodies.held[row] > 0:
+            t.bodies.left_x[row] = t.bodies.kick_x[row]
+            t.bodies.left_y[row] = t.bodies.kick_y[row]
+            t.bodies.left_spin[row] = t.bodies.kick_spin[row]
     found = MOVING
     if sweep_all(t, resting, BEARING, False) == QUIET:
         for k in range(resting):
             touch(t, t.pairs.resting[k])
-        found = BALANCED if sweep_all_until_calm(t, resting, STEADY_SWEEPS, STILL) else UNEVEN
+        found = BALANCED if calm_groups(t, resting, STEADY_SWEEPS, STILL) else UNEVEN
     keep_loads(t, part)
     for k in range(resting):
         pair = t.pairs.resting[k]

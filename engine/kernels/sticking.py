@@ -41,8 +41,8 @@ def find_fixed(t: Tables, count: int, resting: int) -> None:
         for k in range(resting):
             if pin_down(t, t.pairs.resting[resting - 1 - k if backwards else k]):
                 grows = True
-        for k in range(t.bones.sizes[0]):
-            if pin_limb(t, k):
+        for at in range(t.bones.sizes[8]):
+            if pin_limb(t, t.bones.acting[at]):
                 grows = True
         backwards = not backwards
     for row in range(count):

@@ -72,11 +72,16 @@ def collect_last_part(t: Tables, pair: int) -> None:
         collect(t, pair, 1.0)
 
 
-def take_back(t: Tables, held: int, share: float) -> None:
+def take_back_all(t: Tables, held: int, share: float) -> None:
     """Take back a share of the impulses of pairs that rest, as their part was cut short."""
     for k in range(held):
-        touch(t, t.pairs.resting[k])
-        collect(t, t.pairs.resting[k], -share)
+        take_back(t, t.pairs.resting[k], share)
+
+
+def take_back(t: Tables, pair: int, share: float) -> None:
+    """Do so for one of them."""
+    touch(t, pair)
+    collect(t, pair, -share)
 
 
 def part_with(t: Tables, pair: int) -> None:

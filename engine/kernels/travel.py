@@ -11,8 +11,12 @@ from engine.kernels.books import book_lead, book_part
 from engine.kernels.contacts import correct_arms, relax
 from engine.kernels.fields import lead_of_euler
 from engine.kernels.following import turning
-from engine.kernels.halting import book_fixed, hand_on
 from engine.kernels.impacts import strike
+from engine.kernels.islands import (
+    end_steadily,
+    pair_waits,
+    wait_steadily,
+)
 from engine.kernels.meeting import (
     find_meetings,
     foresee_meetings,
@@ -24,22 +28,13 @@ from engine.kernels.resting import (
     OVERLAP,
     count_holds,
     hold,
-    place_middle,
     settle,
 )
 from engine.kernels.sensing import sense_at_end, sense_passing
 from engine.kernels.status import CROWDED, DONE, ESCAPED
-from engine.kernels.steady import (
-    BALANCED,
-    MOVING,
-    RELYING,
-    TRUSTED,
-    balance,
-    is_steady,
-    relies,
-)
-from engine.kernels.touches import collect, take_back, touch
-from engine.linkage.limb_sweeps import all_bear, book_even
+from engine.kernels.steady import MOVING
+from engine.kernels.touches import collect, take_back_all, touch
+from engine.linkage.limb_sweeps import book_even
 from engine.linkage.pace import (
     LONGEST,
     LONGEST_WITH_IMPACTS,
@@ -130,13 +125,22 @@ def travel(
     the others are taken as plastic, after twice as many as done: a ball that is squeezed between a
     hammer and an anvil bounces without end.
     """
+    steady = 0
+    steadiness = MOVING
     while now < dt:
+        t.progress.roused[0] = 0
         resting = settle(t, count, pair_count, substep)
-        part, held, steadiness = plan(t, count, resting, now, dt, substep, LONGEST)
-        joined = joints_that_act(t)
-        first = t.impacts.written[0]
+        if t.progress.roused[0] == 1 and steady > 0:
+            end_steadily(t, count, steady, steadiness, dt, now, True)
+            steady = 0
+            resting = settle(t, count, pair_count, substep)
         if resting > 0:
             t.progress.straight[0] = 0
+        if now == 0.0 and resting > 0 and steady == 0:
+            resting, steady, steadiness = wait_steadily(t, count, resting, dt)
+        part, held = plan(t, count, resting, dt - now, substep, now, LONGEST)
+        joined = joints_that_act(t)
+        first = t.impacts.written[0]
         straight = t.progress.straight[0] == 1
         if t.progress.sensing[0] > 0 or not straight:
             measure_ways(t, count, part)
@@ -146,9 +150,9 @@ def travel(
             queued = find_meetings(t, pair_count, part)
             queued = await_corners(t, held, part, queued)
         longest = LONGEST_WITH_IMPACTS * substep
-        if queued > 0 and joined > 0 and steadiness == MOVING and part > longest * (1.0 + 1e-9):
+        if queued > 0 and joined > 0 and part > longest * (1.0 + 1e-9):
             empty(t, queued)
-            part, held, _ = plan(t, count, resting, now, dt, substep, LONGEST_WITH_IMPACTS)
+            part, held = plan(t, count, resting, dt - now, substep, now, LONGEST_WITH_IMPACTS)
             measure_ways(t, count, part)
             queued = find_meetings(t, pair_count, part)
         if t.progress.sensing[0] > 0:
@@ -156,8 +160,9 @@ def travel(
         status = DONE
         reached = part
         if queued > 0:
+            loaded = held + joined
             status, reached, queued = meet_in_order(
-                t, queued, held + joined, steadiness != MOVING, now, part, dt, substep, limit
+                t, queued, loaded, loaded > 0 or steady > 0, now, part, dt, substep, limit
             )
             empty(t, queued)
         t.progress.stalled[0] = t.progress.stalled[0] + 1 if reached == 0.0 else 0
@@ -168,18 +173,16 @@ def travel(
         if held > 0:
             book_part(t, held, count, part, reached, t.impacts.written[0] > first)
             book_even(t, reached / part)
-            if steadiness != MOVING:
-                book_fixed(t, count, reached / part)
             if reached < part:
-                if steadiness != MOVING:
-                    hand_on(t, count, held, reached / part)
-                take_back(t, held, 1.0 - reached / part)
+                take_back_all(t, held, 1.0 - reached / part)
             correct_arms(t, held, count, first, now, part, reached)
-        if (held > 0 or joined > 0) and (steadiness != RELYING or reached < part):
-            still = relax(t, held, count, part, reached / part, steadiness != MOVING)
-            balanced = still and steadiness == BALANCED and reached == part
-            t.state.trusted[0] = TRUSTED if balanced else 0
+        if held > 0 or joined > 0:
+            relax(t, held, count, part, reached / part, False)
         now = dt if reached >= part and part == dt - now else now + reached
+        roused = status != DONE or t.progress.roused[0] == 1
+        if steady > 0 and (roused or now == dt):
+            end_steadily(t, count, steady, steadiness, dt, now, roused)
+            steady = 0
         if status != DONE and now < dt:
             return status, now
     if t.progress.sensing[0] > 0:
@@ -195,23 +198,17 @@ def travel(
 
 
 def plan(
-    t: Tables, count: int, resting: int, now: float, dt: float, substep: float, longest: float
-) -> tuple[float, int, int]:
-    """Choose the length of the next part of the tick (s), and bend the paths of what is held; with
-    joints, it lasts for `longest` substeps at most.
+    t: Tables, count: int, resting: int, left: float, substep: float, now: float, longest: float
+) -> tuple[float, int]:
+    """Choose the length of the next part of the tick, which began `now` seconds ago and lasts for
+    as many as are `left`, and bend the paths of what is held; with joints, a part lasts for
+    `longest` substeps (s) at most.
 
-    Returns the length, the number of pairs that rest in it, and how steadily; see `steady`.
+    Returns the length (s), and the number of pairs that rest in it.
     """
-    part = dt - now
+    part = left
     if resting == 0 and not joints_act(t):
-        return part, 0, MOVING
-    if now == 0.0 and all_bear(t) and is_steady(t, count, resting, dt):
-        if relies(t, count, resting, dt):
-            return part, resting, RELYING
-        place_middle(t, count, dt / 2.0, False)
-        steadiness = balance(t, count, resting, dt)
-        if steadiness != MOVING:
-            return part, resting, steadiness
+        return part, 0
     shortest = part_for_joints(t, substep, part, resting, longest)
     if shortest < part * (1.0 - 1e-9):
         part = shortest
@@ -219,22 +216,34 @@ def plan(
     while t.bones.sizes[5] > 0 and resting == 0 and part > substep * SHORTEST:
         part /= 2.0
         hold(t, count, 0, now, part, substep)
-    return part, held, MOVING
+    return part, held
 
 
 def meet_in_order(
     t: Tables,
     queued: int,
     held: int,
-    steady: bool,
+    loaded: bool,
     now: float,
     part: float,
     dt: float,
     substep: float,
     limit: int,
 ) -> tuple[int, float, int]:
-    """Let all impacts of a part happen in order of time; return the status, the time reached, and
-    how many meetings are left in the queue.
+    """Let all impacts of a part happen in order of time.
+
+    Args:
+        t: the tables.
+        queued: number of pairs that will meet.
+        held: number of contacts and joints that act for the whole part,
+        loaded: and whether there are such, those that wait counted.
+        now: when the part began, since the tick began (s).
+        part: its length (s).
+        dt: that of the tick (s).
+        substep: that of a substep (s).
+        limit: number of impacts in a tick from which on they are plastic.
+
+    Returns the status, the time reached, and how many meetings are left in the queue.
     """
     pairs = t.pairs
     written = t.impacts.written
@@ -265,7 +274,7 @@ def meet_in_order(
                 pairs.points[pair] = 0
             pairs.state[pair] = RESTING
         if rested and not rests:
-            collect(t, pair, 1.0)
+            collect(t, pair, (now + time) / dt if pair_waits(t, pair) else 1.0)
         written[1] += 1
         if rests and held == 0 and time < part:
             return DONE, time, queued
@@ -274,15 +283,15 @@ def meet_in_order(
         if is_joined(t, pair):
             written[1] += joints_that_act(t) // 8  # joints make it dear: give up sooner
             queued = look_at_joined(t, a, b, time, part, queued, written[1] < 2 * limit)
-        # What rests cannot wait for the end of a steady tick once something hits it.
-        if steady and (rests or t.bodies.held[a] > 0 or t.bodies.held[b] > 0):
+        if pair_waits(t, pair) or t.progress.roused[0] == 1:
+            t.progress.roused[0] = 1
             cut = True
         left = dt - now - time
         if has_escaped(t, a, left) or has_escaped(t, b, left):
             escaped = True
             left = part - time
             # Contacts act for a whole part; cut it only if a body might leave its box within it.
-            if held == 0 or has_escaped(t, a, left) or has_escaped(t, b, left):
+            if not loaded or has_escaped(t, a, left) or has_escaped(t, b, left):
                 cut = True
         if escaped:
             ending = ESCAPED

@@ -5,8 +5,8 @@ with all trees that they touch. What does not move at all carries no impulse fro
 each group ends its sweeps when it is calm, not when all are; and all of it fits into the cache.
 """
 
-from engine.kernels.sweeps import QUIET, WILD, sweep
-from engine.linkage.limb_sweeps import sweep_tree
+from engine.kernels.sweeps import QUIET, STIRRED, WILD, sweep
+from engine.linkage.limb_sweeps import sweep_all, sweep_tree
 from engine.tables import Tables
 
 PRESSING = 2
@@ -37,8 +37,8 @@ def sweep_groups(
     evenly: float,
     early: int,
     forth: bool,
-) -> None:
-    """Sweep hinges and contacts, group by group, until each is calm.
+) -> bool:
+    """Sweep hinges and contacts, group by group, until each is calm; return whether all became so.
 
     Args:
         t: the tables.
@@ -55,6 +55,7 @@ def sweep_groups(
     listed = t.pairs.resting
     free = t.bones.sizes[3]
     end = 0
+    all_calm = True
     for group in range(free + 1):
         first = end
         end += t.trees.pairs[group]
@@ -64,13 +65,28 @@ def sweep_groups(
             listed[k - first] = t.pairs.grouped[k]
         joined = t.trees.group[free] != group
         least = evenly if joined else calm
+        found = STIRRED
         for i in range(1, (few if joined else most) + 1):
             backwards = (i % 2 == 0) == forth
             found = sweep_group(t, group, end - first, least, backwards)
             if found == QUIET or (found == WILD and group == free and i == early):
                 break
+        all_calm = all_calm and found == QUIET
     for k in range(resting):
         listed[k] = t.pairs.grouped[k]
+    return all_calm
+
+
+def calm_groups(t: Tables, resting: int, most: int, calm: float) -> bool:
+    """Sweep hinges and contacts, each group until that changes no velocity by more than `calm`
+    (reaches a second), `most` times at most; return whether all became calm.
+    """
+    if only_trees_touch(t):
+        return sweep_groups(t, resting, most, most, calm, calm, most + 1, False)
+    for i in range(most):  # noqa: SIM110, a loop that can be compiled
+        if sweep_all(t, resting, calm, i % 2 == 0) == QUIET:
+            return True
+    return False
 
 
 def sweep_group(t: Tables, group: int, pairs: int, calm: float, backwards: bool) -> int:

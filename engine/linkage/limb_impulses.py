@@ -10,28 +10,26 @@ def read_means(t: Tables) -> None:
     """
     bones = t.bones
     bodies = t.bodies
-    for bone in range(bones.sizes[2]):
+    for at in range(bones.sizes[9]):
+        bone = bones.acting[at]
         row = bones.body[bone]
-        if bone < bones.sizes[1] and t.trees.evenly[bones.tree[bone]] == 1:
+        if t.trees.evenly[bones.tree[bone]] == 1:
             read_end(t, bone, row)
-        elif bone < bones.sizes[1]:
+        else:
             bones.vx[bone] = (bodies.vx[row] + bodies.kick_x[row]) / 2.0
             bones.vy[bone] = (bodies.vy[row] + bodies.kick_y[row]) / 2.0
             bones.spin[bone] = (bodies.spin[row] + bodies.kick_spin[row]) / 2.0
             lend_nothing(t, bone)
-        elif row >= 0:
-            read_own(t, bone, row)
+    read_held(t)
 
 
 def read_ends(t: Tables) -> None:
     """Read the velocities at the end of the part."""
     bones = t.bones
-    for bone in range(bones.sizes[2]):
-        row = bones.body[bone]
-        if bone < bones.sizes[1]:
-            read_end(t, bone, row)
-        elif row >= 0:
-            read_own(t, bone, row)
+    for at in range(bones.sizes[9]):
+        bone = bones.acting[at]
+        read_end(t, bone, bones.body[bone])
+    read_held(t)
 
 
 def read_end(t: Tables, bone: int, row: int) -> None:
@@ -40,6 +38,14 @@ def read_end(t: Tables, bone: int, row: int) -> None:
     t.bones.vy[bone] = t.bodies.kick_y[row]
     t.bones.spin[bone] = t.bodies.kick_spin[row]
     lend_nothing(t, bone)
+
+
+def read_held(t: Tables) -> None:
+    """Read the velocities of the bodies from which trees hang."""
+    bones = t.bones
+    for bone in range(bones.sizes[1], bones.sizes[2]):
+        if bones.body[bone] >= 0:
+            read_own(t, bone, bones.body[bone])
 
 
 def read_own(t: Tables, bone: int, row: int) -> None:
@@ -75,10 +81,10 @@ def lend_all(t: Tables) -> None:
     Steps of the solution would do so too, but for rounding: this way both bones get the same.
     """
     bones = t.bones
-    for bone in range(bones.sizes[1]):
-        lend_nothing(t, bone)
-    for k in range(bones.sizes[0]):
-        lend_limb(t, k)
+    for at in range(bones.sizes[9]):
+        lend_nothing(t, bones.acting[at])
+    for at in range(bones.sizes[8]):
+        lend_limb(t, bones.acting[at])
 
 
 def lend_limb(t: Tables, k: int) -> None:
@@ -103,7 +109,8 @@ def lend_limb(t: Tables, k: int) -> None:
 def deliver_starts(t: Tables) -> None:
     """Give what joints lent to the bodies, from the start of the part on, or all through it."""
     bones = t.bones
-    for bone in range(bones.sizes[1]):
+    for at in range(bones.sizes[9]):
+        bone = bones.acting[at]
         if t.trees.evenly[bones.tree[bone]] == 1:
             deliver_end(t, bone)
         else:
@@ -116,8 +123,8 @@ def deliver_starts(t: Tables) -> None:
 
 def deliver_ends(t: Tables) -> None:
     """Give what joints lent to the bodies, at the end of the part."""
-    for bone in range(t.bones.sizes[1]):
-        deliver_end(t, bone)
+    for at in range(t.bones.sizes[9]):
+        deliver_end(t, t.bones.acting[at])
 
 
 def deliver_end(t: Tables, bone: int) -> None:

@@ -65,18 +65,19 @@ def brace_limbs(t: Tables, part: float) -> None:
     Where contacts act too, those are the impulses of the part before, spread over all of it: what
     contacts do is not smooth.
     """
-    if t.bones.sizes[0] == 0:
+    if t.bones.sizes[8] == 0:
         return
     if not stands(t):
         gather_masses(t)
         stand(t)
     t.bones.sizes[4] = 0
     t.bones.sizes[6] = 0
-    for bone in range(t.bones.sizes[1]):
-        forget_jolts(t, bone)
+    for at in range(t.bones.sizes[9]):
+        forget_jolts(t, t.bones.acting[at])
     find_even(t)
     place_even(t, part)
-    for k in range(t.bones.sizes[0]):
+    for at in range(t.bones.sizes[8]):
+        k = t.bones.acting[at]
         if t.trees.evenly[t.limbs.tree[k]] == 1:
             expect_evenly(t, k, part)
         else:
@@ -107,7 +108,7 @@ def bind_limbs(t: Tables, part: float) -> float:
 
     That speed is in reaches of the smaller body a second (1/s).
     """
-    if t.bones.sizes[0] == 0:
+    if t.bones.sizes[8] == 0:
         return 0.0
     read_means(t)
     failed = 0.0
@@ -131,7 +132,8 @@ def bind_limbs(t: Tables, part: float) -> float:
             solve_all(t)
             take_all(t)
         else:
-            for tree in range(t.bones.sizes[3]):
+            for at in range(t.bones.sizes[10]):
+                tree = t.trees.acting[at]
                 if renewing and t.trees.does[tree] == FORWARD:
                     resolve_tree(t, tree)
                 step_tree(t, tree)
@@ -151,7 +153,8 @@ def withdraw_lost(t: Tables) -> int:
     limbs = t.limbs
     trees = t.trees
     lost = 0
-    for tree in range(t.bones.sizes[3]):
+    for i in range(t.bones.sizes[10]):
+        tree = trees.acting[i]
         if trees.does[tree] != DONE and not trees.worst[tree] <= LOOSE * LOOSE:
             lost += 1
             first = trees.first[tree]
@@ -165,7 +168,8 @@ def bend(t: Tables) -> None:
     """Find by how much bones move and turn from where they are placed to the end of the part."""
     bones = t.bones
     far = False
-    for bone in range(bones.sizes[2]):
+    for at in range(bones.sizes[11]):
+        bone = bones.acting[at]
         lasts = bones.lasts[bone]
         bones.way_x[bone] = lasts * (bones.vx[bone] + bones.lent_x[bone])
         bones.way_y[bone] = lasts * (bones.vy[bone] + bones.lent_y[bone])
@@ -190,7 +194,8 @@ def bend(t: Tables) -> None:
             )
         )
     if far:
-        for bone in range(bones.sizes[2]):
+        for at in range(bones.sizes[11]):
+            bone = bones.acting[at]
             angle = bones.lasts[bone] * (bones.spin[bone] + bones.lent_spin[bone])
             bones.turn_sin[bone] = math.sin(angle)
             bones.turn_less[bone] = math.cos(angle) - 1.0
@@ -201,9 +206,10 @@ def measure_limbs(t: Tables, aiming: bool) -> None:
     bones = t.bones
     limbs = t.limbs
     trees = t.trees
-    for tree in range(bones.sizes[3]):
-        trees.worst[tree] = 0.0
-    for k in range(bones.sizes[0]):
+    for at in range(bones.sizes[10]):
+        trees.worst[trees.acting[at]] = 0.0
+    for at in range(bones.sizes[8]):
+        k = bones.acting[at]
         parent = limbs.parent[k]
         tree = limbs.tree[k]
         sin = bones.turn_sin[k]
@@ -239,7 +245,8 @@ def note_first(t: Tables) -> float:
     """Begin to count steps; return the worst miss of all trees, squared."""
     trees = t.trees
     failed = 0.0
-    for tree in range(t.bones.sizes[3]):
+    for at in range(t.bones.sizes[10]):
+        tree = trees.acting[at]
         trees.before[tree] = 1e300
         if trees.worst[tree] > failed:
             failed = trees.worst[tree]
@@ -255,7 +262,8 @@ def choose_steps(t: Tables, renewing: bool) -> tuple[int, bool, bool]:
     going = 0
     alike = True
     sure = True
-    for tree in range(t.bones.sizes[3]):
+    for at in range(t.bones.sizes[10]):
+        tree = trees.acting[at]
         worst = trees.worst[tree]
         trees.share[tree] = 1.0
         if renewing:
@@ -284,11 +292,13 @@ def take_all(t: Tables) -> None:
     """Take the steps that were found."""
     bones = t.bones
     limbs = t.limbs
-    for bone in range(bones.sizes[1]):
+    for at in range(bones.sizes[9]):
+        bone = bones.acting[at]
         bones.lent_x[bone] += bones.step_x[bone]
         bones.lent_y[bone] += bones.step_y[bone]
         bones.lent_spin[bone] += bones.step_spin[bone]
-    for k in range(bones.sizes[0]):
+    for at in range(bones.sizes[8]):
+        k = bones.acting[at]
         limbs.impulse_x[k] += limbs.answer_x[k]
         limbs.impulse_y[k] += limbs.answer_y[k]
 
@@ -349,7 +359,8 @@ def keep_limb_impulses(t: Tables, part: float) -> None:
     joints = t.joints
     limbs = t.limbs
     twice = 2.0 / part
-    for k in range(t.bones.sizes[0]):
+    for at in range(t.bones.sizes[8]):
+        k = t.bones.acting[at]
         joint = limbs.joint[k]
         add_up_limb(t, k)
         if t.trees.evenly[limbs.tree[k]] == 1:

@@ -10,7 +10,7 @@ of the error of hinges is taken by an exact solution (`limb_motion`, `limb_veloc
 
 from engine.kernels.sweeps import QUIET, STIRRED, WILD, WILDLY, sweep
 from engine.linkage.jolts import jolt
-from engine.linkage.limb_impulses import deliver_starts, forget_jolts, lend_all, read_own
+from engine.linkage.limb_impulses import deliver_starts, forget_jolts, lend_all, read_held
 from engine.linkage.limbs import place_bone, place_limb
 from engine.tables import Tables
 
@@ -24,7 +24,8 @@ def find_even(t: Tables) -> int:
     for tree in range(bones.sizes[3]):
         evenly[tree] = 0
     found = 0
-    for bone in range(bones.sizes[1]):
+    for at in range(bones.sizes[9]):
+        bone = bones.acting[at]
         if t.bodies.held[bones.body[bone]] > 1 and evenly[bones.tree[bone]] == 0:
             evenly[bones.tree[bone]] = 1
             found += 1
@@ -32,17 +33,13 @@ def find_even(t: Tables) -> int:
     return found
 
 
-def all_bear(t: Tables) -> bool:
-    """Whether contacts act on all that joints hold, and those are hinges of trees."""
-    return t.braces.sizes[0] == 0 and find_even(t) == t.bones.sizes[3]
-
-
 def place_even(t: Tables, part: float) -> None:
     """Place trees on which contacts act where their bodies are in the middle of a part (s)."""
     bones = t.bones
     bodies = t.bodies
     half = part / 2.0
-    for bone in range(bones.sizes[2]):
+    for at in range(bones.sizes[11]):
+        bone = bones.acting[at]
         row = bones.body[bone]
         bones.lasts[bone] = part
         if t.trees.evenly[bones.tree[bone]] == 1:
@@ -51,7 +48,8 @@ def place_even(t: Tables, part: float) -> None:
                 x = bodies.x[row] + half * bodies.vx[row]
                 y = bodies.y[row] + half * bodies.vy[row]
                 place_bone(t, bone, x, y, bodies.angle[row] + half * bodies.spin[row])
-    for k in range(bones.sizes[0]):
+    for at in range(bones.sizes[8]):
+        k = bones.acting[at]
         if t.trees.evenly[t.limbs.tree[k]] == 1:
             place_limb(t, k)
 
@@ -70,14 +68,14 @@ def bear_evenly(t: Tables, part: float) -> None:
     """Let hinges bear the forces of a steady part (s) like in the part before, if there are any;
     all of them are of trees on which contacts act, and kicks are what forces and contacts do.
     """
-    if t.bones.sizes[0] == 0:
+    if t.bones.sizes[8] == 0:
         return
     t.bones.sizes[4] = 0
-    for bone in range(t.bones.sizes[1]):
-        forget_jolts(t, bone)
+    for at in range(t.bones.sizes[9]):
+        forget_jolts(t, t.bones.acting[at])
     place_even(t, part)
-    for k in range(t.bones.sizes[0]):
-        expect_evenly(t, k, part)
+    for at in range(t.bones.sizes[8]):
+        expect_evenly(t, t.bones.acting[at], part)
     lend_all(t)
     deliver_starts(t)
     aim_sweeps(t, False)
@@ -89,10 +87,9 @@ def aim_sweeps(t: Tables, closing: bool) -> None:
     """
     bones = t.bones
     limbs = t.limbs
-    for bone in range(bones.sizes[1], bones.sizes[2]):
-        if bones.body[bone] >= 0:
-            read_own(t, bone, bones.body[bone])
-    for k in range(bones.sizes[0]):
+    read_held(t)
+    for at in range(bones.sizes[8]):
+        k = bones.acting[at]
         if t.trees.evenly[limbs.tree[k]] == 1:
             limbs.goal_x[k] = -limbs.gap_x[k] / bones.lasts[k] if closing else 0.0
             limbs.goal_y[k] = -limbs.gap_y[k] / bones.lasts[k] if closing else 0.0
@@ -137,20 +134,11 @@ def sweep_all(t: Tables, resting: int, calm: float, backwards: bool) -> int:
     return moved if moved > found else found
 
 
-def sweep_all_until_calm(t: Tables, resting: int, most: int, calm: float) -> bool:
-    """Do so again while that changes more than `calm` (1/s), `most` times at most; return whether
-    it became calm.
-    """
-    for i in range(most):  # noqa: SIM110, a loop that can be compiled
-        if sweep_all(t, resting, calm, i % 2 == 0) == QUIET:
-            return True
-    return False
-
-
 def sweep_limbs(t: Tables, calm: float, backwards: bool) -> int:
     """Solve each hinge of a tree on which contacts act once; sweeps go to and fro in turn."""
     found = QUIET
-    for tree in range(t.bones.sizes[3]):
+    for at in range(t.bones.sizes[10]):
+        tree = t.trees.acting[at]
         if t.trees.evenly[tree] == 1:
             moved = sweep_tree(t, tree, calm, backwards)
             if moved > found:
@@ -236,7 +224,8 @@ def keep_loads(t: Tables, part: float) -> None:
     """Note the loads of all hinges in a steady part (s): the next one starts from them."""
     joints = t.joints
     limbs = t.limbs
-    for k in range(t.bones.sizes[0]):
+    for at in range(t.bones.sizes[8]):
+        k = t.bones.acting[at]
         joint = limbs.joint[k]
         joints.end_0[joint] = limbs.sign[k] * limbs.impulse_x[k] / part
         joints.end_1[joint] = limbs.sign[k] * limbs.impulse_y[k] / part
@@ -250,7 +239,8 @@ def book_even(t: Tables, share: float) -> None:
     bodies = t.bodies
     limbs = t.limbs
     work = 0.0
-    for k in range(bones.sizes[0]):
+    for at in range(bones.sizes[8]):
+        k = bones.acting[at]
         if t.trees.evenly[limbs.tree[k]] == 1:
             joint = limbs.joint[k]
             x = limbs.sign[k] * t.joints.impulse_0[joint]
@@ -278,7 +268,8 @@ def turn_limbs_by_shift(t: Tables, done: float) -> None:
     bones = t.bones
     bodies = t.bodies
     limbs = t.limbs
-    for k in range(bones.sizes[0]):
+    for at in range(bones.sizes[8]):
+        k = bones.acting[at]
         if t.trees.evenly[limbs.tree[k]] == 1:
             row = bones.body[k]
             x = bodies.shift_x[row]

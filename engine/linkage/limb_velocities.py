@@ -12,12 +12,13 @@ STILL = 1e-12
 
 def prepare_limbs(t: Tables) -> None:
     """Prepare the limbs for the end of a part, where their bodies are now."""
-    if t.bones.sizes[0] == 0:
+    if t.bones.sizes[8] == 0:
         return
     stand(t)
     t.bones.sizes[4] = 1
     limbs = t.limbs
-    for k in range(t.bones.sizes[0]):
+    for at in range(t.bones.sizes[8]):
+        k = t.bones.acting[at]
         limbs.impulse_x[k] = 0.0
         limbs.impulse_y[k] = 0.0
         limbs.given_x[k] = 0.0
@@ -28,24 +29,26 @@ def prepare_limbs(t: Tables) -> None:
 
 def ease_limbs(t: Tables) -> None:
     """Make velocities obey the hinges."""
-    if t.bones.sizes[0] == 0:
+    if t.bones.sizes[8] == 0:
         return
     read_ends(t)
     find_hinge_rates(t)
     going = 0
-    for tree in range(t.bones.sizes[3]):
-        if t.trees.worst[tree] > STILL * STILL:
+    for at in range(t.bones.sizes[10]):
+        if t.trees.worst[t.trees.acting[at]] > STILL * STILL:
             going += 1
     if going == 0:
         return
-    if going == t.bones.sizes[3]:
+    if going == t.bones.sizes[10]:
         resolve(t)
         solve_all(t)
-        for k in range(t.bones.sizes[0]):
+        for at in range(t.bones.sizes[8]):
+            k = t.bones.acting[at]
             t.limbs.impulse_x[k] += t.limbs.answer_x[k]
             t.limbs.impulse_y[k] += t.limbs.answer_y[k]
     else:
-        for tree in range(t.bones.sizes[3]):
+        for at in range(t.bones.sizes[10]):
+            tree = t.trees.acting[at]
             if t.trees.worst[tree] > STILL * STILL:
                 ease_tree(t, tree)
     lend_all(t)
@@ -67,9 +70,10 @@ def find_hinge_rates(t: Tables) -> None:
     """
     limbs = t.limbs
     worst = t.trees.worst
-    for tree in range(t.bones.sizes[3]):
-        worst[tree] = 0.0
-    for k in range(t.bones.sizes[0]):
+    for at in range(t.bones.sizes[10]):
+        worst[t.trees.acting[at]] = 0.0
+    for at in range(t.bones.sizes[8]):
+        k = t.bones.acting[at]
         find_hinge_rate(t, k)
         tree = limbs.tree[k]
         x = limbs.rate_x[k]
@@ -99,7 +103,8 @@ def keep_limb_ends(t: Tables, part: float, done: float, steady: bool) -> None:
     """
     joints = t.joints
     limbs = t.limbs
-    for k in range(t.bones.sizes[0]):
+    for at in range(t.bones.sizes[8]):
+        k = t.bones.acting[at]
         joint = limbs.joint[k]
         add_up_limb(t, k)
         x = limbs.sign[k] * limbs.impulse_x[k]

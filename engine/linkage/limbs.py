@@ -38,14 +38,15 @@ def stand(t: Tables) -> None:
     """Place all bones where their bodies are now, and the limbs."""
     bones = t.bones
     bodies = t.bodies
-    for bone in range(bones.sizes[2]):
+    for at in range(bones.sizes[11]):
+        bone = bones.acting[at]
         row = bones.body[bone]
         if row >= 0:
             place_bone(t, bone, bodies.x[row], bodies.y[row], bodies.angle[row])
         else:
             place_bone(t, bone, 0.0, 0.0, 0.0)
-    for k in range(bones.sizes[0]):
-        place_limb(t, k)
+    for at in range(bones.sizes[8]):
+        place_limb(t, bones.acting[at])
 
 
 def stands(t: Tables) -> bool:
@@ -54,7 +55,8 @@ def stands(t: Tables) -> bool:
     bodies = t.bodies
     if bones.sizes[4] == 0:
         return False
-    for bone in range(bones.sizes[2]):
+    for at in range(bones.sizes[11]):
+        bone = bones.acting[at]
         row = bones.body[bone]
         if row >= 0 and (
             bones.x[bone] != bodies.x[row]
@@ -112,10 +114,10 @@ def place_limb(t: Tables, k: int) -> None:
 
 def resolve(t: Tables) -> None:
     """Eliminate all limbs, from the tips to the roots."""
-    for bone in range(t.bones.sizes[2]):
-        load_alone(t, bone)
-    for k in range(t.bones.sizes[0]):
-        eliminate(t, k)
+    for at in range(t.bones.sizes[11]):
+        load_alone(t, t.bones.acting[at])
+    for at in range(t.bones.sizes[8]):
+        eliminate(t, t.bones.acting[at])
 
 
 def resolve_tree(t: Tables, tree: int) -> None:
@@ -204,14 +206,15 @@ def bear(t: Tables, k: int, xx: float, xy: float, yx: float, yy: float) -> None:
 def solve_all(t: Tables) -> None:
     """Find the impulses that change the velocities of all hinges as wanted."""
     sizes = t.bones.sizes
-    for bone in range(sizes[2]):
-        rest(t, bone)
-    for k in range(sizes[0]):
-        push_parent(t, k)
-    for bone in range(sizes[0], sizes[1]):
-        move_root(t, bone)
-    for k in range(sizes[0] - 1, -1, -1):
-        move_child(t, k)
+    acting = t.bones.acting
+    for at in range(sizes[11]):
+        rest(t, acting[at])
+    for at in range(sizes[8]):
+        push_parent(t, acting[at])
+    for at in range(sizes[8], sizes[9]):
+        move_root(t, acting[at])
+    for at in range(sizes[8] - 1, -1, -1):
+        move_child(t, acting[at])
 
 
 def solve_tree(t: Tables, tree: int) -> None:

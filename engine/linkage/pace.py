@@ -76,12 +76,13 @@ def paces(t: Tables) -> tuple[float, float, float]:
     bodies = t.bodies
     limbs = t.limbs
     trees = t.trees
-    for tree in range(bones.sizes[3]):
-        trees.worst[tree] = 0.0
+    for at in range(bones.sizes[10]):
+        trees.worst[trees.acting[at]] = 0.0
     fastest = 0.0
     slowest = 0.0
     waving = 0.0
-    for k in range(bones.sizes[0]):
+    for at in range(bones.sizes[8]):
+        k = bones.acting[at]
         parent = limbs.parent[k]
         spin = 0.0
         square = 0.0
@@ -102,7 +103,8 @@ def paces(t: Tables) -> tuple[float, float, float]:
             waving = wave
         if square > fastest:
             fastest = square
-    for tree in range(bones.sizes[3]):
+    for at in range(bones.sizes[10]):
+        tree = trees.acting[at]
         pace = math.sqrt(trees.worst[tree] / trees.limbs[tree]) / SWING
         if pace > slowest:
             slowest = pace

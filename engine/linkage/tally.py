@@ -8,12 +8,12 @@ from engine.tables.linkage import BREAKING
 
 def joints_that_act(t: Tables) -> int:
     """How many joints there are that are not broken."""
-    return t.braces.sizes[0] + t.bones.sizes[0]
+    return t.braces.sizes[0] + t.bones.sizes[8]
 
 
 def joints_act(t: Tables) -> bool:
     """Whether there are any."""
-    return t.braces.sizes[0] > 0 or t.bones.sizes[0] > 0
+    return t.braces.sizes[0] > 0 or t.bones.sizes[8] > 0
 
 
 def is_joined(t: Tables, pair: int) -> bool:
@@ -24,7 +24,7 @@ def is_joined(t: Tables, pair: int) -> bool:
 
 def joints_jolt(t: Tables) -> bool:
     """Whether any joint gives an impulse at the start of a part."""
-    return t.braces.sizes[0] > 0 or t.bones.sizes[7] < t.bones.sizes[3]
+    return t.braces.sizes[0] > 0 or t.bones.sizes[7] < t.bones.sizes[10]
 
 
 def clear_sums(t: Tables) -> None:

@@ -101,9 +101,11 @@ def fill_trees(t: Tables, trees: list[Tree], movable: set[int], row_of: dict[int
     tree_of_bone = [*(limb.tree for limb in order), *roots.values(), *held]
     bodies = [*(limb.child for limb in order), *roots, *(trees[number].root for number in held)]
     bone_of = {(tree_of_bone[bone], body): bone for bone, body in enumerate(bodies)}
-    bones, limbs = allocate(Bones, max(8, len(bodies))), allocate(Limbs, max(1, len(order)))
+    bones, limbs = allocate(Bones, max(12, len(bodies))), allocate(Limbs, max(1, len(order)))
     sizes = (len(order), len(bodies) - len(held), len(bodies), len(trees))
     np.asarray(bones.sizes)[:4] = sizes
+    np.asarray(bones.sizes)[8:12] = (sizes[0], sizes[1], sizes[3], sizes[2])
+    np.asarray(bones.acting)[:] = np.arange(len(bones.acting))
     np.asarray(t.bodies.bone)[:] = 0
     for bone, body in enumerate(bodies):
         bones.body[bone] = body
@@ -113,6 +115,7 @@ def fill_trees(t: Tables, trees: list[Tree], movable: set[int], row_of: dict[int
     for k, limb in enumerate(order):
         _fill_limb(t, limbs, k, limb, bone_of[limb.tree, limb.parent], row_of)
     table, place = allocate(Trees, len(trees) + 1), 0
+    np.asarray(table.acting)[:] = np.arange(len(trees) + 1)
     for number, tree in enumerate(trees):
         table.first[number], table.limbs[number] = place, len(tree.limbs)
         table.root[number] = bone_of[number, tree.root] if tree.root in roots else -1

@@ -63,13 +63,17 @@ class Bodies(NamedTuple):
     torque: Floats
     """(N m)"""
     held: Ints
-    """Number of resting contacts at the end of the last tick, one more for joined bodies."""
+    """Number of resting contacts at the end of the last tick, one more for joined bodies; less than
+    0 while the body waits."""
     joined: Ints
     """1 for a body that moves and that a joint holds."""
     bone: Ints
     """Row in `Bones`, plus 1, of a body that moves in a tree of hinges; else 0."""
     calm: Ints
     """For how many ticks the body has rested and been calm."""
+    waits: Ints
+    """1 while a body that rests steadily goes its way alone, as others take the tick in parts; see
+    `islands`."""
     cluster: Ints
     """A body that it is rigidly one with, itself if there is none; see `sticking`."""
     stuck: Ints

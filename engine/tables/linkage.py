@@ -295,8 +295,11 @@ class Bones(NamedTuple):
     sizes: Ints
     """How many limbs, movable bones, bones and trees there are, and whether the limbs are placed
     for the poses in which the bodies are now; how many trees are lost; and whether the limbs are
-    resolved for the end of the present part; on how many trees contacts act (a list of its
-    own)."""
+    resolved for the end of the present part; on how many trees contacts act; and, of those in
+    `acting`, how many are limbs, movable bones, trees and bones (a list of its own)."""
+    acting: Ints
+    """Rows of the bones of trees that take part in the present part of the tick, in the order of
+    all; see `linkage.acting` (a list of its own)."""
     mass: Floats
     """(kg)"""
     inverse_mass: Floats
@@ -367,6 +370,8 @@ class Trees(NamedTuple):
     """Row in `Bones` of its root if that is free, else -1."""
     evenly: Ints
     """1 if contacts act on it in the present part: its hinges then do so too, all through it."""
+    acting: Ints
+    """Trees that take part in the present part of the tick (a list of its own)."""
     group: Ints
     """Tree that stands for the group of trees which touch each other; see `linkage.limb_groups`."""
     next: Ints

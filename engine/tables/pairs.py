@@ -102,6 +102,8 @@ class Pairs(NamedTuple):
     """Pairs that rest in the present part, in order (a list of its own, not by row)."""
     grouped: Ints
     """The same in the order of groups of joined bodies; see `linkage.limb_groups`."""
+    waiting: Ints
+    """Pairs that rest steadily through the present tick (a list of its own); see `islands`."""
 
 
 class Contacts(NamedTuple):

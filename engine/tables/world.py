@@ -140,6 +140,8 @@ class Progress(NamedTuple):
     """Number of pairs with a sensor."""
     own_rules: Ints
     """1 if coefficients of pairs are made by Python."""
+    roused: Ints
+    """1 once something hit what waits, or came to rest on it; see `islands`."""
     stalled: Ints
     """Parts in a row that ended as they began; see `resting.STALLS`."""
     sweeps: Ints
@@ -217,7 +219,7 @@ ROWS = {
     "joints": 4,
     "braces": 8,
     "nodes": 2,
-    "bones": 8,
+    "bones": 12,
 }
 """Rows that the tables of a new world have room for; those that are not named have one."""
 

@@ -1,0 +1,223 @@
+"""Islands that rest take a tick at once, whatever others do.
+
+An island is what resting contacts and joints connect; what never moves connects nothing. While one
+is in turmoil, and needs the tick in short parts, those that are steady (see `steady`) *wait*: their
+bodies follow the paths that were found for them as the tick began, through all of these parts. As
+soon as something hits what waits, or comes to rest on it, all that waits ends what it began,
+wherever it is, and takes part in the rest of the tick.
+
+A body that waits has a negative number in `Bodies.held`, so that what looks for held bodies finds
+those that take part.
+"""
+
+from engine.kernels.books import book_part
+from engine.kernels.contacts import correct_arms, relax
+from engine.kernels.halting import book_fixed, hand_on
+from engine.kernels.resting import place_middle
+from engine.kernels.steady import (
+    BALANCED,
+    BEARING,
+    LONG,
+    MOVING,
+    RELYING,
+    TRUSTED,
+    balance,
+    is_unsteady,
+    relies,
+    watch,
+)
+from engine.kernels.sticking import cluster_of
+from engine.kernels.touches import take_back
+from engine.linkage.acting import list_acting
+from engine.linkage.limb_impulses import forget_jolts
+from engine.linkage.limb_sweeps import book_even
+from engine.tables import RESTING, Tables
+
+PRESENT, STEADILY = 0, 1
+"""How a body waits: not at all, or as part of a steady island."""
+
+LATER = 4
+"""An island that is not steady, though it has been calm, is not tried again for so many ticks, if
+others are there that might be."""
+
+STIRRED = 0.25
+"""Share of what one sweep may change of what is steady that tells who is not."""
+
+
+def turn_to(t: Tables, count: int, waits: int) -> None:
+    """Let bodies that wait as said be those that kernels work on, and no others."""
+    bodies = t.bodies
+    for row in range(count):
+        held = bodies.held[row]
+        acts = bodies.waits[row] == waits or bodies.inverse_mass[row] == 0.0
+        if (held > 0 and not acts) or (held < 0 and acts):
+            bodies.held[row] = -held
+    list_acting(t, waits)
+
+
+def wait_steadily(t: Tables, count: int, resting: int, dt: float) -> tuple[int, int, int]:
+    """Let steady islands take the whole tick (s) at once.
+
+    To be called when a tick begins, once pairs that rest are listed, `resting` in number. Returns
+    how many of them are left in the list, how many wait, and how steadily.
+    """
+    pairs = t.pairs
+    islands = find_steady(t, count, resting, dt)
+    if islands == 0:
+        return resting, 0, MOVING
+    waiting = 0
+    for k in range(resting):
+        pairs.waiting[k] = pairs.resting[k]
+        if pair_waits(t, pairs.resting[k]):
+            pairs.resting[waiting] = pairs.resting[k]
+            waiting += 1
+    turn_to(t, count, STEADILY)
+    steadiness = RELYING
+    if not relies(t, count, waiting, dt):
+        place_middle(t, count, dt / 2.0, False)
+        steadiness = balance(t, count, waiting, dt)
+    if steadiness == MOVING:
+        if islands > 1:
+            put_off(t, count)
+        waiting = 0
+        end_waiting(t, count)
+    left = 0
+    for k in range(resting):
+        if not pair_waits(t, pairs.waiting[k]):
+            pairs.grouped[left] = pairs.waiting[k]
+            left += 1
+    for k in range(waiting):
+        pairs.waiting[k] = pairs.resting[k]
+    for k in range(left):
+        pairs.resting[k] = pairs.grouped[k]
+    turn_to(t, count, PRESENT)
+    return left, waiting, steadiness
+
+
+def find_steady(t: Tables, count: int, resting: int, dt: float) -> int:
+    """Find steady islands of bodies that rest, and let their bodies wait; return their number.
+
+    Counts for how many ticks (s) bodies have been calm: to be called once a tick.
+    """
+    bodies = t.bodies
+    calm = 0
+    for row in range(count):
+        bodies.cluster[row] = row
+        bodies.stirred[row] = 1
+        if bodies.held[row] == 0:
+            bodies.calm[row] = 0
+        else:
+            watch(t, row, dt)
+            if bodies.calm[row] >= LONG and bodies.inverse_mass[row] > 0.0:
+                calm += 1
+    if calm == 0 or t.braces.sizes[0] > 0:
+        return 0
+    connect(t, resting)
+    for k in range(resting):
+        bodies.stirred[island_of(t, t.pairs.resting[k])] = 0
+    for row in range(count):
+        if bodies.inverse_mass[row] > 0.0 and bodies.calm[row] < LONG:
+            bodies.stirred[cluster_of(t, row)] = 1
+    for k in range(resting):
+        pair = t.pairs.resting[k]
+        island = island_of(t, pair)
+        if bodies.stirred[island] == 0 and is_unsteady(t, pair):
+            bodies.stirred[island] = 1
+    islands = 0
+    for row in range(count):
+        if bodies.inverse_mass[row] > 0.0 and bodies.stirred[cluster_of(t, row)] == 0:
+            bodies.waits[row] = STEADILY
+            if bodies.cluster[row] == row:
+                islands += 1
+    return islands
+
+
+def connect(t: Tables, resting: int) -> None:
+    """Find for each body one that stands for its island, by contacts and hinges."""
+    bodies = t.bodies
+    bones = t.bones
+    for k in range(resting):
+        a = t.pairs.a[t.pairs.resting[k]]
+        b = t.pairs.b[t.pairs.resting[k]]
+        if bodies.inverse_mass[a] > 0.0 and bodies.inverse_mass[b] > 0.0:
+            bodies.cluster[cluster_of(t, b)] = cluster_of(t, a)
+    for k in range(bones.sizes[0]):
+        parent = t.limbs.parent[k]
+        if parent < bones.sizes[1]:
+            body = bones.body[parent]
+            bodies.cluster[cluster_of(t, bones.body[k])] = cluster_of(t, body)
+
+
+def island_of(t: Tables, pair: int) -> int:
+    """The body that stands for the island of a pair."""
+    a = t.pairs.a[pair]
+    return cluster_of(t, a if t.bodies.inverse_mass[a] > 0.0 else t.pairs.b[pair])
+
+
+def pair_waits(t: Tables, pair: int) -> bool:
+    """Whether a body of a pair waits."""
+    return t.bodies.waits[t.pairs.a[pair]] + t.bodies.waits[t.pairs.b[pair]] > 0
+
+
+def put_off(t: Tables, count: int) -> None:
+    """Let those that one sweep showed to be unsteady not be tried for some ticks."""
+    bodies = t.bodies
+    for row in range(count):
+        if bodies.held[row] > 0 and stirred_by_sweep(t, row):
+            bodies.calm[row] = LONG - LATER
+
+
+def stirred_by_sweep(t: Tables, row: int) -> bool:
+    """Whether sweeps changed what forces and loads do to a body by more than is steady."""
+    bodies = t.bodies
+    reach = bodies.reach[row]
+    more = abs(bodies.kick_x[row] - bodies.left_x[row])
+    more += abs(bodies.kick_y[row] - bodies.left_y[row])
+    more += abs(bodies.kick_spin[row] - bodies.left_spin[row]) * reach
+    return more > STIRRED * BEARING * reach
+
+
+def end_waiting(t: Tables, count: int) -> None:
+    """Let all that waits take part again."""
+    bodies = t.bodies
+    for row in range(count):
+        bodies.waits[row] = PRESENT
+        if bodies.held[row] < 0:
+            bodies.held[row] = -bodies.held[row]
+
+
+def end_steadily(
+    t: Tables, count: int, waiting: int, steadiness: int, dt: float, now: float, hit: bool
+) -> None:
+    """End what steady islands began for a tick of `dt` seconds, `now` after it began.
+
+    Args:
+        t: the tables.
+        count: number of bodies.
+        waiting: number of pairs that wait.
+        steadiness: how steadily; see `steady`.
+        dt: length of the tick (s).
+        now: how much of it has passed (s).
+        hit: whether something hit what waits.
+    """
+    share = now / dt
+    for k in range(waiting):
+        t.pairs.resting[k] = t.pairs.waiting[k]
+    turn_to(t, count, STEADILY)
+    for at in range(t.bones.sizes[9]):
+        forget_jolts(t, t.bones.acting[at])
+    book_part(t, waiting, count, dt, now, hit)
+    book_even(t, share)
+    book_fixed(t, count, share)
+    if now < dt:
+        hand_on(t, count, waiting, share)
+        for k in range(waiting):  # what let go has been given its share
+            if t.pairs.state[t.pairs.waiting[k]] == RESTING:
+                take_back(t, t.pairs.waiting[k], 1.0 - share)
+        correct_arms(t, waiting, count, t.impacts.written[0], 0.0, dt, now)
+    if steadiness != RELYING or now < dt:
+        still = relax(t, waiting, count, dt, share, True)
+        balanced = still and steadiness == BALANCED and now == dt
+        t.state.trusted[0] = TRUSTED if balanced else 0
+    end_waiting(t, count)
+    turn_to(t, count, PRESENT)
