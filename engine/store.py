@@ -172,9 +172,9 @@ class Store:
         progress = self.tables.progress
         if pairs > progress.room[0]:
             progress.room[0] = max(pairs + pairs // 2, self.count("pieces"))
-            for name in ("pairs", "found", "parted"):
+            for name in ("pairs", "found", "parted", "lanes"):
                 self.make_room(name, progress.room[0])
-            for name in ("contacts", "links", "lanes"):
+            for name in ("contacts", "links"):
                 self.make_room(name, 2 * progress.room[0])
 
     # Joints.

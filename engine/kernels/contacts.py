@@ -231,6 +231,7 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
     ease_limbs(t)
     part_gently(t, left, part * done)
     keep_ends(t, part, done, steady)
+    t.lanes.sizes[2] = 0
     book_relax(t, left, count)
     for row in range(count):
         if bodies.held[row] > 0:

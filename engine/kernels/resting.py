@@ -21,7 +21,6 @@ from engine.kernels.parting import PUSH
 from engine.kernels.sleeping import wake
 from engine.kernels.spring import DAMPING, RESTLESS, frequency, softness, softness_left
 from engine.kernels.steady import let_go
-from engine.kernels.sweeps import interleave
 from engine.kernels.touches import collect_last_part, leave, touch
 from engine.linkage.tally import is_joined, joints_act
 from engine.tables import FREE, IMPACTS_AT_ONCE, LATER, NEVER, RESTING, Tables
@@ -79,7 +78,6 @@ def settle(t: Tables, count: int, pair_count: int, shortest: float) -> int:
             resting += 1
     t.lanes.sizes[2] = 0
     if resting >= CROWD and not joints_act(t):
-        interleave(t, resting)
         t.lanes.sizes[2] = 1 if is_packed(t, resting) else 0
     if resting > 0 or t.progress.straight[0] == 0:
         count_holds(t, count, resting)

@@ -13,28 +13,6 @@ QUIET, STIRRED, WILD = 0, 1, 2
 WILDLY = 0.2
 """A change of a contact's velocity by more is wild, in reaches of the smaller body a second."""
 
-STREAMS = 4
-"""Into so many parts the list of pairs is divided."""
-
-
-def interleave(t: Tables, resting: int) -> None:
-    """Reorder the pairs that rest: of each quarter of the list one in turn.
-
-    Neighbours in the list mostly share a body, so that a processor must wait for one to begin with
-    the other; those of different quarters hardly ever do.
-    """
-    order = t.pairs.queue  # nothing is queued while pairs are listed
-    listed = t.pairs.resting
-    length = (resting + STREAMS - 1) // STREAMS
-    placed = 0
-    for k in range(length):
-        for start in range(0, resting, length):
-            if start + k < resting:
-                order[placed] = listed[start + k]
-                placed += 1
-    for k in range(resting):
-        listed[k] = order[k]
-
 
 def warm_start(t: Tables, resting: int) -> None:
     """Apply the impulses of the part before."""

@@ -210,7 +210,7 @@ ROWS = {
     "pairs": 64,
     "contacts": 128,
     "links": 128,
-    "lanes": 128,
+    "lanes": 64,
     "found": 64,
     "parted": 64,
     "grid": 128,
