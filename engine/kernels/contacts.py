@@ -19,7 +19,6 @@ from engine.kernels.following import (
     turning,
 )
 from engine.kernels.packing import pack, pack_again, relax_lane, unload
-from engine.kernels.parting import part_gently
 from engine.kernels.sweeps import QUIET, WILD, warm_start
 from engine.linkage.limb_groups import (
     EASING,
@@ -229,7 +228,6 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
                 ):
                     break
     ease_limbs(t)
-    part_gently(t, left, part * done)
     keep_ends(t, part, done, steady)
     t.lanes.sizes[2] = 0
     book_relax(t, left, count)

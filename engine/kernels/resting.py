@@ -17,9 +17,9 @@ from engine.kernels.following import (
 from engine.kernels.impacts import acceleration, stays, strike
 from engine.kernels.meeting import NOWHERE, approach_at, notice_passing, slides_over
 from engine.kernels.packing import clear_lane, is_packed, load_points
-from engine.kernels.parting import PUSH
+from engine.kernels.parting import is_parting
 from engine.kernels.sleeping import wake
-from engine.kernels.spring import DAMPING, RESTLESS, frequency, softness, softness_left
+from engine.kernels.spring import DAMPING, PUSH, RESTLESS, frequency, softness, softness_left
 from engine.kernels.steady import let_go
 from engine.kernels.touches import collect_last_part, leave, touch
 from engine.linkage.tally import is_joined, joints_act
@@ -287,6 +287,9 @@ def prepare(
     lowest = 1e300
     fastest = -1e300
     joined = is_joined(t, pair)
+    parting = is_parting(t, pair, omega)
+    if parting:
+        t.state.deep[0] = 2
     does = HOLDS
     for row in range(2 * pair, 2 * pair + pairs.points[pair]):
         gap = contacts.gap[row]
@@ -311,8 +314,8 @@ def prepare(
                     does = LANDS
         contacts.normal_impulse[row] *= share
         contacts.tangent_impulse[row] *= share
-        if gap > 0.0:  # may close until the end of the part, but no faster
-            contacts.target[row] = 2.0 * gap / part
+        if gap > 0.0 or parting:  # may close until the end of the part, but no faster
+            contacts.target[row] = 2.0 * gap / part if gap > 0.0 else 0.0
             contacts.hardness[row] = contacts.normal_mass[row]
             contacts.softness[row] = 0.0
         else:

@@ -26,7 +26,8 @@ def fall_asleep(t: Tables, laws: Laws, dt: float) -> None:
     for row in range(count):
         if bodies.inverse_mass[row] > 0.0:
             bodies.quiet[row] += dt
-            if bodies.held[row] == 0 or speed(t, row) >= laws.sleep_speed:
+            quick = speed(t, row) >= laws.sleep_speed or bodies.parting[row] == 1
+            if bodies.held[row] == 0 or quick:
                 bodies.quiet[row] = 0.0
             ready = ready or bodies.quiet[row] >= laws.sleep_time
     if not ready or t.state.tick[0] % EVERY != 0:

@@ -11,6 +11,9 @@ RESTLESS = 4.0
 """So many times more is it damped in a crowd that is restless. Sweeps are too few to take back at
 once all that correcting overlaps has lent, and so a heap of 500 bodies could drive itself."""
 
+PUSH = 0.25
+"""Fastest correction of an overlap by a spring, in reaches of the smaller body a second (1/s)."""
+
 SWING = 0.25
 """Part of a swing of the spring that a substep lasts, at most."""
 
@@ -39,11 +42,9 @@ def softness(part: float, omega: float, damping: float) -> tuple[float, float]:
     return omega / damped, 1.0 / (1.0 + part * omega * damped)
 
 
-def softness_left(t: Tables, pair: int, omega: float) -> float:
-    """Share of its softness that a contact may have under its load, 0..1.
-
-    The load is an acceleration (m/s^2): what the contact carried in its last part, or what forces
-    press together now. A spring of circular frequency w yields to it by load / w^2.
+def load_on(t: Tables, pair: int) -> float:
+    """The load of a contact: what it carried in its last part, or what forces press on it now
+    (m/s^2).
     """
     bodies = t.bodies
     a = t.pairs.a[pair]
@@ -53,5 +54,23 @@ def softness_left(t: Tables, pair: int, omega: float) -> float:
     load = (bodies.ax[a] - bodies.ax[b]) * nx + (bodies.ay[a] - bodies.ay[b]) * ny
     if t.pairs.part[pair] > 0.0 and t.pairs.carried[pair] > load * t.pairs.part[pair]:
         load = t.pairs.carried[pair] / t.pairs.part[pair]
+    return load
+
+
+def softness_left(t: Tables, pair: int, omega: float) -> float:
+    """Share of its softness that a contact may have under its load, 0..1.
+
+    A spring of circular frequency w yields to a load (m/s^2) by load / w^2.
+    """
+    load = load_on(t, pair)
     most = SAG * t.pairs.size[pair] * omega * omega
     return 1.0 if load <= most else most / load
+
+
+def sag(t: Tables, pair: int, omega: float) -> float:
+    """Overlap by which the spring of a contact yields to its load (m)."""
+    sunk = load_on(t, pair) / (omega * omega)
+    most = SAG * t.pairs.size[pair]
+    if sunk < 0.0:
+        return 0.0
+    return sunk if sunk < most else most

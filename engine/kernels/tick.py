@@ -8,6 +8,7 @@ from engine.kernels.accelerate import accelerate
 from engine.kernels.books import book_forces, is_forced
 from engine.kernels.broadphase import look_ahead
 from engine.kernels.pairing import find_pairs
+from engine.kernels.parting import move_apart
 from engine.kernels.sleeping import fall_asleep, wake_in_time
 from engine.kernels.status import (
     CROWDED,
@@ -72,6 +73,9 @@ def step(t: Tables, laws: Laws, dt: float) -> int:
         else:
             progress.phase[0] = WAITING
     count = t.counts.bodies[0]
+    if t.state.deep[0] > 0:
+        move_apart(t, count, t.counts.pairs[0], dt, dt / laws.substeps)
+        t.state.deep[0] -= 1
     if t.books.forced[0] == 1:
         book_forces(t, count, laws, dt)
     end(t, count, t.counts.pairs[0], laws.integrator, dt)

@@ -163,6 +163,8 @@ class Bodies(NamedTuple):
     middle_y: Floats
     middle_angle: Floats
     """(rad)"""
+    parting: Ints
+    """1 if it was moved apart from another at the end of the last tick; see `kernels.parting`."""
     stirred: Ints
     """1 if it was struck while contacts were readied; see `resting`. Also one of its pairs; see
     `halting`."""

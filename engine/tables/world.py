@@ -73,6 +73,8 @@ class State(NamedTuple):
     """1 if the joints are to be put in order anew."""
     trusted: Ints
     """Ticks for which what rests steadily relies on its loads; see `steady`."""
+    deep: Ints
+    """2 once bodies overlap deeply in this tick, 1 if they did in the last; see `parting`."""
     restless: Ints
     """1 if a crowd rests in the present part and did not become calm at once; see `contacts`."""
 
