@@ -14,7 +14,7 @@ import math
 
 from engine.kernels.books import work_of
 from engine.kernels.following import DEEP, find_points, follow, has_drifted
-from engine.kernels.spring import frequency, sag
+from engine.kernels.spring import sag
 from engine.kernels.touches import collect
 from engine.linkage.tally import is_joined
 from engine.tables import RESTING, Tables
@@ -29,7 +29,7 @@ CALM = 1e-5
 """A sweep that moves no contact by more is the last, in reaches of the smaller body."""
 
 
-def is_parting(t: Tables, pair: int, omega: float) -> bool:
+def is_parting(t: Tables, pair: int) -> bool:
     """Whether a resting contact is left to `move_apart`: if it overlaps deeply, or by more than its
     spring yields where one of its bodies was moved a tick ago. What joints hold would be torn.
     """
@@ -37,14 +37,14 @@ def is_parting(t: Tables, pair: int, omega: float) -> bool:
         return False
     most = DEEP * t.pairs.size[pair]
     if t.bodies.parting[t.pairs.a[pair]] == 1 or t.bodies.parting[t.pairs.b[pair]] == 1:
-        most = sag(t, pair, omega)
+        most = sag(t, pair)
     for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
         if t.contacts.gap[row] < -most:
             return True
     return False
 
 
-def move_apart(t: Tables, count: int, pair_count: int, dt: float, substep: float) -> None:
+def move_apart(t: Tables, count: int, pair_count: int, dt: float) -> None:
     """Move bodies that overlap deeply at the end of a tick (s)."""
     bodies = t.bodies
     for row in range(count):
@@ -52,7 +52,6 @@ def move_apart(t: Tables, count: int, pair_count: int, dt: float, substep: float
         bodies.middle_y[row] = bodies.y[row]
         bodies.middle_angle[row] = bodies.angle[row]
         bodies.kick_x[row] = bodies.kick_y[row] = bodies.kick_spin[row] = 0.0
-    omega = frequency(substep)
     listed = 0
     for pair in range(pair_count):
         if t.pairs.state[pair] == RESTING and not is_joined(t, pair):
@@ -62,7 +61,7 @@ def move_apart(t: Tables, count: int, pair_count: int, dt: float, substep: float
                 collect(t, pair, 1.0)  # its impulses may change their direction, or get lost
                 find_points(t, pair, 0.0)
                 collect(t, pair, -1.0)
-            aim(t, pair, omega, dt)
+            aim(t, pair, dt)
             t.pairs.queue[listed] = pair  # nothing is queued any more
             listed += 1
     for _ in range(MOST_SWEEPS):
@@ -77,18 +76,13 @@ def move_apart(t: Tables, count: int, pair_count: int, dt: float, substep: float
             t.pairs.apart[pair] = 0.0  # what was known of a free pair holds no longer
 
 
-def aim(t: Tables, pair: int, omega: float, dt: float) -> None:
+def aim(t: Tables, pair: int, dt: float) -> None:
     """Set by how much the points of a contact are to close in this tick (m), negative: to open."""
-    bodies = t.bodies
     contacts = t.contacts
-    a = t.pairs.a[pair]
-    b = t.pairs.b[pair]
-    if bodies.inverse_mass[a] == 0.0 or bodies.inverse_mass[b] == 0.0:
-        omega *= 2.0
     size = t.pairs.size[pair]
     most = PACE * size * dt
-    left = sag(t, pair, omega)
-    parting = is_parting(t, pair, omega)
+    left = sag(t, pair)
+    parting = is_parting(t, pair)
     for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
         gap = contacts.gap[row]
         contacts.booked_normal[row] = 0.0

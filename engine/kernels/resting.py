@@ -287,7 +287,7 @@ def prepare(
     lowest = 1e300
     fastest = -1e300
     joined = is_joined(t, pair)
-    parting = is_parting(t, pair, omega)
+    parting = is_parting(t, pair)
     if parting:
         t.state.deep[0] = 2
     does = HOLDS

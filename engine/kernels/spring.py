@@ -67,10 +67,6 @@ def softness_left(t: Tables, pair: int, omega: float) -> float:
     return 1.0 if load <= most else most / load
 
 
-def sag(t: Tables, pair: int, omega: float) -> float:
-    """Overlap by which the spring of a contact yields to its load (m)."""
-    sunk = load_on(t, pair) / (omega * omega)
-    most = SAG * t.pairs.size[pair]
-    if sunk < 0.0:
-        return 0.0
-    return sunk if sunk < most else most
+def sag(t: Tables, pair: int) -> float:
+    """Overlap by which the spring of a contact may yield to its load, if it bears any (m)."""
+    return SAG * t.pairs.size[pair] if load_on(t, pair) > 0.0 else 0.0

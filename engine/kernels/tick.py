@@ -74,7 +74,7 @@ def step(t: Tables, laws: Laws, dt: float) -> int:
             progress.phase[0] = WAITING
     count = t.counts.bodies[0]
     if t.state.deep[0] > 0:
-        move_apart(t, count, t.counts.pairs[0], dt, dt / laws.substeps)
+        move_apart(t, count, t.counts.pairs[0], dt)
         t.state.deep[0] -= 1
     if t.books.forced[0] == 1:
         book_forces(t, count, laws, dt)
