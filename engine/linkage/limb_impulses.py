@@ -81,8 +81,8 @@ def lend_all(t: Tables) -> None:
     Steps of the solution would do so too, but for rounding: this way both bones get the same.
     """
     bones = t.bones
-    for at in range(bones.sizes[9]):
-        lend_nothing(t, bones.acting[at])
+    for bone in range(bones.sizes[1]):
+        lend_nothing(t, bone)
     for at in range(bones.sizes[8]):
         lend_limb(t, bones.acting[at])
 

@@ -168,37 +168,45 @@ def bend(t: Tables) -> None:
     """Find by how much bones move and turn from where they are placed to the end of the part."""
     bones = t.bones
     far = False
-    for at in range(bones.sizes[11]):
-        bone = bones.acting[at]
-        lasts = bones.lasts[bone]
-        bones.way_x[bone] = lasts * (bones.vx[bone] + bones.lent_x[bone])
-        bones.way_y[bone] = lasts * (bones.vy[bone] + bones.lent_y[bone])
-        angle = lasts * (bones.spin[bone] + bones.lent_spin[bone])
-        s = angle * angle
-        far = far or s > NEAR * NEAR
-        bones.turn_sin[bone] = angle * (
-            1.0
-            + s
-            * (
-                -1.0 / 6.0
-                + s * (1.0 / 120.0 + s * (-1.0 / 5040.0 + s * (1.0 / 362880.0 - s / 39916800.0)))
-            )
-        )
-        bones.turn_less[bone] = s * (
-            -0.5
-            + s
-            * (
-                1.0 / 24.0
-                + s
-                * (-1.0 / 720.0 + s * (1.0 / 40320.0 + s * (-1.0 / 3628800.0 + s / 479001600.0)))
-            )
-        )
+    if bones.sizes[10] == bones.sizes[3]:
+        for bone in range(bones.sizes[2]):  # side by side, if all of them act
+            far = bend_bone(t, bone) or far
+    else:
+        for at in range(bones.sizes[11]):
+            far = bend_bone(t, bones.acting[at]) or far
     if far:
         for at in range(bones.sizes[11]):
             bone = bones.acting[at]
             angle = bones.lasts[bone] * (bones.spin[bone] + bones.lent_spin[bone])
             bones.turn_sin[bone] = math.sin(angle)
             bones.turn_less[bone] = math.cos(angle) - 1.0
+
+
+def bend_bone(t: Tables, bone: int) -> bool:
+    """Do so for one bone, its angle by a series; return whether that is too far for it."""
+    bones = t.bones
+    lasts = bones.lasts[bone]
+    bones.way_x[bone] = lasts * (bones.vx[bone] + bones.lent_x[bone])
+    bones.way_y[bone] = lasts * (bones.vy[bone] + bones.lent_y[bone])
+    angle = lasts * (bones.spin[bone] + bones.lent_spin[bone])
+    s = angle * angle
+    bones.turn_sin[bone] = angle * (
+        1.0
+        + s
+        * (
+            -1.0 / 6.0
+            + s * (1.0 / 120.0 + s * (-1.0 / 5040.0 + s * (1.0 / 362880.0 - s / 39916800.0)))
+        )
+    )
+    bones.turn_less[bone] = s * (
+        -0.5
+        + s
+        * (
+            1.0 / 24.0
+            + s * (-1.0 / 720.0 + s * (1.0 / 40320.0 + s * (-1.0 / 3628800.0 + s / 479001600.0)))
+        )
+    )
+    return s > NEAR * NEAR
 
 
 def measure_limbs(t: Tables, aiming: bool) -> None:
@@ -292,8 +300,7 @@ def take_all(t: Tables) -> None:
     """Take the steps that were found."""
     bones = t.bones
     limbs = t.limbs
-    for at in range(bones.sizes[9]):
-        bone = bones.acting[at]
+    for bone in range(bones.sizes[1]):  # side by side; what does not act is not read
         bones.lent_x[bone] += bones.step_x[bone]
         bones.lent_y[bone] += bones.step_y[bone]
         bones.lent_spin[bone] += bones.step_spin[bone]

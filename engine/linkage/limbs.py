@@ -114,8 +114,8 @@ def place_limb(t: Tables, k: int) -> None:
 
 def resolve(t: Tables) -> None:
     """Eliminate all limbs, from the tips to the roots."""
-    for at in range(t.bones.sizes[11]):
-        load_alone(t, t.bones.acting[at])
+    for bone in range(t.bones.sizes[2]):
+        load_alone(t, bone)
     for at in range(t.bones.sizes[8]):
         eliminate(t, t.bones.acting[at])
 
@@ -207,8 +207,8 @@ def solve_all(t: Tables) -> None:
     """Find the impulses that change the velocities of all hinges as wanted."""
     sizes = t.bones.sizes
     acting = t.bones.acting
-    for at in range(sizes[11]):
-        rest(t, acting[at])
+    for bone in range(sizes[2]):
+        rest(t, bone)
     for at in range(sizes[8]):
         push_parent(t, acting[at])
     for at in range(sizes[8], sizes[9]):
