@@ -11,7 +11,7 @@ of the error of hinges is taken by an exact solution (`limb_motion`, `limb_veloc
 from engine.kernels.sweeps import QUIET, STIRRED, WILD, WILDLY, sweep
 from engine.linkage.jolts import jolt
 from engine.linkage.limb_impulses import deliver_starts, forget_jolts, lend_all, read_held
-from engine.linkage.limbs import place_bone, place_limb
+from engine.linkage.limbs import gather_masses, place_bone, place_limb
 from engine.tables import Tables
 
 
@@ -71,6 +71,7 @@ def bear_evenly(t: Tables, part: float) -> None:
     if t.bones.sizes[8] == 0:
         return
     t.bones.sizes[4] = 0
+    gather_masses(t)
     for at in range(t.bones.sizes[9]):
         forget_jolts(t, t.bones.acting[at])
     place_even(t, part)
