@@ -23,7 +23,9 @@ from engine.snapshot import Snapshot, digest
 from engine.tables import (
     ROWS,
     Counts,
+    Lanes,
     Tables,
+    allocate,
     arrays,
     grow,
     new_tables,
@@ -172,10 +174,12 @@ class Store:
         progress = self.tables.progress
         if pairs > progress.room[0]:
             progress.room[0] = max(pairs + pairs // 2, self.count("pieces"))
-            for name in ("pairs", "found", "parted", "lanes"):
+            for name in ("pairs", "found", "parted"):
                 self.make_room(name, progress.room[0])
             for name in ("contacts", "links"):
                 self.make_room(name, 2 * progress.room[0])
+            lanes = views(allocate(Lanes, 2 * progress.room[0]))  # empty between parts of a tick
+            self.tables = self.tables._replace(lanes=lanes)
 
     # Joints.
 

@@ -14,6 +14,12 @@ in the list mostly share a body, so that they would need blocks of their own; th
 quarters hardly ever do. And what leans is found from four places at once."""
 
 
+SPARE = 2
+"""So many times more blocks may there be than full ones would do: whatever a world has room for,
+as one that is restored may have room for less. Where contacts of one body need more, some are left.
+"""
+
+
 def pack(t: Tables, resting: int, count: int) -> None:
     """Pack the pairs that rest; those that cannot be packed come to stand first in their list."""
     bodies = t.bodies
@@ -24,7 +30,7 @@ def pack(t: Tables, resting: int, count: int) -> None:
     for k in range(resting):
         lanes.listed[k] = pairs.resting[k]
     lanes.sizes[0] = 0
-    room = t.progress.room[0] // LANES
+    room = SPARE * resting // LANES
     opened_1 = 0  # all blocks before it are full, or for other numbers of points
     opened_2 = 0
     left = 0

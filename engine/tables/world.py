@@ -212,7 +212,7 @@ ROWS = {
     "pairs": 64,
     "contacts": 128,
     "links": 128,
-    "lanes": 64,
+    "lanes": 128,
     "found": 64,
     "parted": 64,
     "grid": 128,

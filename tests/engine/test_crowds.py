@@ -130,13 +130,18 @@ def test_what_resists_rolling_is_swept_by_itself() -> None:
     assert changed == [i for i, body in enumerate(world) if not body.is_wall]
 
 
-def test_a_plank_under_more_than_there_are_blocks() -> None:
-    """Each contact of one body needs a block of its own; what finds none is swept by itself."""
+def plank() -> World:
+    """More boxes on a plank than there are blocks: each contact of one body needs its own."""
     world = World(gravity=(0, -G), integrator="velocity-verlet", kernels="interpreted")
     world.add(Wall((-60, 0), (60, 0)), friction=0.5)
     world.add(Box(100, 0.5), mass=100.0, position=(0, 0.25), friction=0.5)
     for i in range(70):
         world.add(Box(1, 1), mass=1.0, position=(1.2 * (i - 35), 1.0), friction=0.5)
+    return world
+
+
+def test_contacts_that_find_no_block_are_swept_by_themselves() -> None:
+    world = plank()
     world.run(20)
     count = list_resting(world)
     pack(world.tables, count, len(world))
@@ -144,6 +149,18 @@ def test_a_plank_under_more_than_there_are_blocks() -> None:
     assert world.tables.lanes.sizes[1] > 0
     assert world.ledger().energy_error == pytest.approx(0.0, abs=1e-9)
     assert max(body.speed for body in world) < 1e-3
+
+
+def test_how_much_room_a_world_has_does_not_matter() -> None:
+    worlds = [plank(), plank()]
+    worlds[1].store.make_room_for_pairs(1000)
+    for world in worlds:
+        world.run(5)
+    assert worlds[0].digest() == worlds[1].digest()
+    worlds[1] = World.from_dict(worlds[0].to_dict())
+    for world in worlds:
+        world.run(3)
+    assert worlds[0].digest() == worlds[1].digest()
 
 
 def test_a_crowd_comes_to_rest_with_its_books_balanced() -> None:
