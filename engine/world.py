@@ -189,6 +189,8 @@ class World:
         given |= {"category": category, "mask": mask, "group": group}
         values = initial_values(shape, given)
         name = None if name is None else validate.text(name, "name")
+        on_move = validate.function_or_none(on_move, "on_move")
+        on_collision = validate.function_or_none(on_collision, "on_collision")
         self.store.material(material)
         id = self.store.new_id("body")
         body = Body(self, id, shape, name or f"{type(shape).__name__.lower()} {id}")
@@ -284,9 +286,11 @@ class World:
             if body is not None:
                 self._own(body)
         values = joint_columns(a, b, joint, break_force, break_torque)
+        collide = validate.truth(collide, "collide")
+        on_break = validate.function_or_none(on_break, "on_break")
         handle = Joint(self, self.store.new_id("joint"), a, b)
         handle.on_break = on_break
-        self.store.add_joint(handle, values, validate.truth(collide, "collide"))
+        self.store.add_joint(handle, values, collide)
         return handle
 
     def joint(self, id: int) -> Joint:

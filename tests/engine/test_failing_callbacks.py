@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from engine import Body, Box, Circle, Wall, World
+from engine import Body, Box, Circle, Pin, Wall, World
 
 
 class Mistake(Exception):
@@ -108,3 +108,23 @@ def test_a_callback_may_remove_add_and_step() -> None:
     world.run(30)
     assert len(seen) == 3
     assert sum(body.name == "spawned" for body in world) == 3
+
+
+@pytest.mark.parametrize("name", ["on_move", "on_collision"])
+def test_a_body_that_is_refused_for_its_callback_leaves_the_world_as_it_was(name: str) -> None:
+    """Not even an id is used up."""
+    world = room()
+    before = world.to_dict()
+    with pytest.raises(TypeError):
+        world.add(Circle(1), material="ice", **{name: "no function"})
+    assert world.to_dict() == before
+    assert world.add(Circle(1)).id == room().add(Circle(1)).id
+
+
+def test_a_joint_that_is_refused_for_its_callback_leaves_the_world_as_it_was() -> None:
+    world = room()
+    before = world.to_dict()
+    with pytest.raises(TypeError):
+        world.join(world.body(2), world.body(3), Pin(at=(0, 0)), on_break="no function")  # type: ignore[arg-type]
+    assert world.to_dict() == before
+    assert world.joints == ()
