@@ -180,7 +180,7 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
             bodies.middle_x[row] = bodies.x[row]
             bodies.middle_y[row] = bodies.y[row]
             bodies.middle_angle[row] = bodies.angle[row]
-    packed = t.lanes.sizes[2] == 1
+    packed = t.lanes.sizes[2] == 1 and not steady
     left = 0
     for k in range(resting):
         pair = t.pairs.resting[k]
