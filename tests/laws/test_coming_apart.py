@@ -155,3 +155,19 @@ def test_bodies_spawned_in_a_heap_find_room() -> None:
         assert max(body.y for body in bodies) < 4.6
     assert closest(bodies) > 0.9
     assert min(body.y for body in bodies) > 0.45
+
+
+def test_a_world_saved_while_bodies_come_apart_goes_on_to_the_same_bits() -> None:
+    world = World(gravity=(0, -9.81))
+    world.add(Wall((-5, 0), (5, 0)), friction=0.5)
+    for x in (0, 0.1, 0.1, 0.4):
+        world.add(Box(0.5, 0.5), position=(x, 0.2), friction=0.5)
+    world.run(9)
+    loaded = World.from_dict(world.to_dict())
+    kept = world.snapshot()
+    world.run(60)
+    loaded.run(60)
+    assert loaded.digest() == world.digest()
+    world.restore(kept)
+    world.run(60)
+    assert loaded.digest() == world.digest()
