@@ -181,6 +181,32 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
             bodies.middle_y[row] = bodies.y[row]
             bodies.middle_angle[row] = bodies.angle[row]
     packed = t.lanes.sizes[2] == 1 and not steady
+    left = follow_to_end(t, resting, part, packed)
+    prepare_ease(t, part, done)
+    still = False
+    if steady:
+        still = calm_groups(t, left, 2 * STEADY_SWEEPS, STILL)
+    else:
+        calm_down(t, left, count, part, packed)
+    ease_limbs(t)
+    keep_ends(t, part, done, steady)
+    t.lanes.sizes[2] = 0
+    book_relax(t, left, count)
+    for row in range(count):
+        if bodies.held[row] > 0:
+            bodies.vx[row] = bodies.kick_x[row]
+            bodies.vy[row] = bodies.kick_y[row]
+            bodies.spin[row] = bodies.kick_spin[row]
+            bodies.path_x[row] = bodies.ax[row]
+            bodies.path_y[row] = bodies.ay[row]
+            bodies.path_spin[row] = bodies.aspin[row]
+    return still
+
+
+def follow_to_end(t: Tables, resting: int, part: float, packed: bool) -> int:
+    """Measure contacts where their bodies are at the end of a part (s), and ready them to relax;
+    return how many still rest.
+    """
     left = 0
     for k in range(resting):
         pair = t.pairs.resting[k]
@@ -199,47 +225,32 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
             left += 1
         elif row >= 0:
             unload(t, row)
-    prepare_ease(t, part, done)
-    still = False
-    if steady:
-        still = calm_groups(t, left, 2 * STEADY_SWEEPS, STILL)
+    return left
+
+
+def calm_down(t: Tables, left: int, count: int, part: float, packed: bool) -> None:
+    """Sweep over contacts that are ready to relax until no point approaches."""
+    violent = is_violent(t, left)
+    polish = CALM if violent or t.state.restless[0] == 1 else FINE
+    crowded = is_crowd(t, left, violent)
+    gives_up = not violent and not crowded and t.braces.sizes[0] == 0
+    most = PATIENT_SWEEPS if violent else t.progress.sweeps[0]
+    if packed and not crowded:
+        for k in range(left):
+            stiffen(t, t.pairs.resting[k], part)
+    if crowded:
+        pack_again(t, left, count)
+        sweep_until_calm(t, most, polish, 1)
+    elif only_trees_touch(t):
+        early = WILD_SWEEPS if gives_up else most + 1
+        few = EASING if most == MOST_SWEEPS else most
+        sweep_groups(t, left, most, few, polish, EVENLY, early, False)
     else:
-        violent = is_violent(t, left)
-        polish = CALM if violent or t.state.restless[0] == 1 else FINE
-        crowded = is_crowd(t, left, violent)
-        gives_up = not violent and not crowded and t.braces.sizes[0] == 0
-        most = PATIENT_SWEEPS if violent else t.progress.sweeps[0]
-        if packed and not crowded:
-            for k in range(left):
-                stiffen(t, t.pairs.resting[k], part)
-        if crowded:
-            pack_again(t, left, count)
-            sweep_until_calm(t, most, polish, 1)
-        elif only_trees_touch(t):
-            early = WILD_SWEEPS if gives_up else most + 1
-            few = EASING if most == MOST_SWEEPS else most
-            sweep_groups(t, left, most, few, polish, EVENLY, early, False)
-        else:
-            for i in range(1, most + 1):
-                found = sweep_all(t, left, polish, i % 2 == 1)
-                failed = ease(t)
-                if has_settled(found, gives_up and i == WILD_SWEEPS) and (
-                    left == 0 or failed <= CALM
-                ):
-                    break
-    ease_limbs(t)
-    keep_ends(t, part, done, steady)
-    t.lanes.sizes[2] = 0
-    book_relax(t, left, count)
-    for row in range(count):
-        if bodies.held[row] > 0:
-            bodies.vx[row] = bodies.kick_x[row]
-            bodies.vy[row] = bodies.kick_y[row]
-            bodies.spin[row] = bodies.kick_spin[row]
-            bodies.path_x[row] = bodies.ax[row]
-            bodies.path_y[row] = bodies.ay[row]
-            bodies.path_spin[row] = bodies.aspin[row]
-    return still
+        for i in range(1, most + 1):
+            found = sweep_all(t, left, polish, i % 2 == 1)
+            failed = ease(t)
+            if has_settled(found, gives_up and i == WILD_SWEEPS) and (left == 0 or failed <= CALM):
+                return
 
 
 def is_uneven(t: Tables, resting: int) -> bool:

@@ -314,15 +314,7 @@ def prepare(
                     does = LANDS
         contacts.normal_impulse[row] *= share
         contacts.tangent_impulse[row] *= share
-        if gap > 0.0 or parting:  # may close until the end of the part, but no faster
-            contacts.target[row] = 2.0 * gap / part if gap > 0.0 else 0.0
-            contacts.hardness[row] = contacts.normal_mass[row]
-            contacts.softness[row] = 0.0
-        else:
-            bias = rate * gap
-            contacts.target[row] = bias if bias > -PUSH * size else -PUSH * size
-            contacts.hardness[row] = contacts.normal_mass[row] * (1.0 - soft)
-            contacts.softness[row] = soft
+        set_spring(t, pair, row, part, rate, soft, parting)
         if lands:
             contacts.hardness[row] = 0.0
     if turning(t, pair, part) > TUMBLING:
@@ -330,6 +322,26 @@ def prepare(
     if lowest > KEEPING * size or (lowest > -OVERLAP * size and fastest < -explained):
         return PARTED
     return does
+
+
+def set_spring(
+    t: Tables, pair: int, row: int, part: float, rate: float, soft: float, parting: bool
+) -> None:
+    """Let one point of a contact act for a part (s) as a spring, or rigidly if it gapes or is
+    `parting`; see `prepare`.
+    """
+    contacts = t.contacts
+    gap = contacts.gap[row]
+    if gap > 0.0 or parting:  # may close until the end of the part, but no faster
+        contacts.target[row] = 2.0 * gap / part if gap > 0.0 else 0.0
+        contacts.hardness[row] = contacts.normal_mass[row]
+        contacts.softness[row] = 0.0
+        return
+    bias = rate * gap
+    fastest = -PUSH * t.pairs.size[pair]
+    contacts.target[row] = bias if bias > fastest else fastest
+    contacts.hardness[row] = contacts.normal_mass[row] * (1.0 - soft)
+    contacts.softness[row] = soft
 
 
 def explained_speed(t: Tables, pair: int, part: float) -> float:
