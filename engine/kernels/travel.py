@@ -142,13 +142,7 @@ def travel(
         joined = joints_that_act(t)
         first = t.impacts.written[0]
         straight = t.progress.straight[0] == 1
-        if t.progress.sensing[0] > 0 or not straight:
-            measure_ways(t, count, part)
-        if straight:
-            queued = foresee_meetings(t, pair_count, part)
-        else:
-            queued = find_meetings(t, pair_count, part)
-            queued = await_corners(t, held, part, queued)
+        queued = queue_meetings(t, count, pair_count, held, part, straight)
         longest = LONGEST_WITH_IMPACTS * substep
         if queued > 0 and joined > 0 and part > longest * (1.0 + 1e-9):
             empty(t, queued)
@@ -171,11 +165,7 @@ def travel(
         else:
             advance_all(t.bodies, count, reached)
         if held > 0:
-            book_part(t, held, count, part, reached, t.impacts.written[0] > first)
-            book_even(t, reached / part)
-            if reached < part:
-                take_back_all(t, held, 1.0 - reached / part)
-            correct_arms(t, held, count, first, now, part, reached)
+            end_contacts(t, held, count, first, now, part, reached)
         if held > 0 or joined > 0:
             relax(t, held, count, part, reached / part, False)
         now = dt if reached >= part and part == dt - now else now + reached
@@ -187,6 +177,37 @@ def travel(
             return status, now
     if t.progress.sensing[0] > 0:
         sense_at_end(t, pair_count)
+    list_settled(t, count, pair_count)
+    return DONE, dt
+
+
+def queue_meetings(
+    t: Tables, count: int, pair_count: int, held: int, part: float, straight: bool
+) -> int:
+    """Queue all pairs that meet in a part of the tick (s); return how many."""
+    if t.progress.sensing[0] > 0 or not straight:
+        measure_ways(t, count, part)
+    if straight:
+        return foresee_meetings(t, pair_count, part)
+    queued = find_meetings(t, pair_count, part)
+    return await_corners(t, held, part, queued)
+
+
+def end_contacts(
+    t: Tables, held: int, count: int, first: int, now: float, part: float, reached: float
+) -> None:
+    """Book what resting contacts did in a part (s) that ended when `reached`, and correct it by
+    what impacts, from row `first` on, and an early end change; see `correct_arms`.
+    """
+    book_part(t, held, count, part, reached, t.impacts.written[0] > first)
+    book_even(t, reached / part)
+    if reached < part:
+        take_back_all(t, held, 1.0 - reached / part)
+    correct_arms(t, held, count, first, now, part, reached)
+
+
+def list_settled(t: Tables, count: int, pair_count: int) -> None:
+    """List the pairs that rest when a tick is over, and count for each body those it is held by."""
     settled = 0
     for pair in range(pair_count):
         if t.pairs.state[pair] == RESTING:
@@ -194,7 +215,6 @@ def travel(
             settled += 1
     if settled > 0 or t.progress.straight[0] == 0:
         count_holds(t, count, settled)
-    return DONE, dt
 
 
 def plan(
@@ -263,19 +283,7 @@ def meet_in_order(
         pairs.meeting[pair] = NEVER
         a = pairs.a[pair]
         b = pairs.b[pair]
-        rested = pairs.state[pair] == RESTING
-        if written[1] < 2 * limit:
-            near = OVERLAP * pairs.size[pair] if rested else 0.0
-            rests = strike(t, pair, now, time, substep, near, written[1] >= limit)
-        else:
-            rests = True
-            touch(t, pair)
-            if pairs.state[pair] != RESTING:
-                pairs.points[pair] = 0
-            pairs.state[pair] = RESTING
-        if rested and not rests:
-            collect(t, pair, (now + time) / dt if pair_waits(t, pair) else 1.0)
-        written[1] += 1
+        rests = meet(t, pair, now, time, dt, substep, limit)
         if rests and held == 0 and time < part:
             return DONE, time, queued
         if rests and written[1] < limit and turning(t, pair, part - time) > PLUNGE:
@@ -302,6 +310,29 @@ def meet_in_order(
     if cut:
         return ending, reached, queued
     return ending, part, queued
+
+
+def meet(
+    t: Tables, pair: int, now: float, time: float, dt: float, substep: float, limit: int
+) -> bool:
+    """Let a pair meet at `time` of its part; return whether it rests from then on. For the others
+    see `meet_in_order`.
+    """
+    pairs = t.pairs
+    written = t.impacts.written
+    rested = pairs.state[pair] == RESTING
+    written[1] += 1
+    if written[1] > 2 * limit:
+        touch(t, pair)
+        if not rested:
+            pairs.points[pair] = 0
+        pairs.state[pair] = RESTING
+        return True
+    near = OVERLAP * pairs.size[pair] if rested else 0.0
+    rests = strike(t, pair, now, time, substep, near, written[1] > limit)
+    if rested and not rests:
+        collect(t, pair, (now + time) / dt if pair_waits(t, pair) else 1.0)
+    return rests
 
 
 def has_escaped(t: Tables, row: int, lasts: float) -> bool:
