@@ -1,7 +1,7 @@
 """What the kinds of vector look like, and where their arrows start and end. Needs no pygame."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
 from screens.kit import theme
@@ -13,7 +13,6 @@ HEAD_LENGTH, HEAD_WIDTH = 3.0, 3.0
 """Of an arrow's head, in widths of its shaft."""
 SHORTEST = 1.4
 """An arrow shorter than this many heads shrinks as a whole, so that it keeps a shaft."""
-ROUND = (1.0, 2.0, 2.5, 5.0, 10.0)
 
 
 class Kind(NamedTuple):
@@ -90,16 +89,3 @@ def leave_polygon(center: Point, corners: Sequence[Point], toward: Point) -> Poi
     if nearest == math.inf:
         return center
     return Point(center.x + toward.x * nearest, center.y + toward.y * nearest)
-
-
-def dp_per_unit(magnitudes: Iterable[float], longest: float) -> float:
-    """One scale for all vectors on the screen: dp per N (or N s, m/s), a round figure.
-
-    The greatest of `magnitudes` gets at most `longest` dp. 0 if all are zero.
-    """
-    greatest = max((abs(m) for m in magnitudes), default=0.0)
-    if not 0.0 < greatest < math.inf:
-        return 0.0
-    most = longest / greatest
-    power = 10.0 ** math.floor(math.log10(most))
-    return max(step * power for step in ROUND if step * power <= most * (1 + 1e-12))

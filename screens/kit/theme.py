@@ -77,8 +77,6 @@ LAW = Style(13, REGULAR, 18)
 EXPLANATION = Style(12, REGULAR, 16)
 BODY = Style(12, REGULAR, 16)
 LABEL = Style(10, MEDIUM, 14, capitals=True)
-CAPTION = Style(14, MEDIUM, 20)
-"""What a film says about itself."""
 SMALL = Style(10, REGULAR, 14)
 VALUE = Style(15, SEMIBOLD, 20)
 BIG_VALUE = Style(20, SEMIBOLD, 26)
@@ -90,8 +88,6 @@ NUMERAL = Style(14, MEDIUM, 18)
 
 MARGIN = 16.0
 """Between the words and the sides of the screen (dp)."""
-CANVAS_MARGIN = 12.0
-"""Between a canvas and the sides of the screen (dp)."""
 GAP = 4.0
 """The step of all distances (dp)."""
 RADIUS = 6.0

@@ -46,16 +46,3 @@ def test_an_arrow_always_keeps_a_shaft(x, y, width):
 def test_no_length_no_arrow():
     assert arrows.shape(Point(1, 1), Point(1, 1), 4) is None
     assert arrows.shape(Point(1, 1), Point(math.nan, 1), 4) is None
-
-
-@given(st.lists(st.floats(1e-6, 1e6), min_size=1), st.floats(1, 300))
-def test_one_scale_fits_the_longest_and_is_round(magnitudes, longest):
-    scale = arrows.dp_per_unit(magnitudes, longest)
-    assert 0.39 * longest <= scale * max(magnitudes) <= longest * (1 + 1e-9)
-    first = f"{scale:.6e}"[:4]
-    assert first in ("1.00", "2.00", "2.50", "5.00")
-
-
-def test_nothing_to_scale():
-    assert arrows.dp_per_unit([], 50) == 0
-    assert arrows.dp_per_unit([0.0, -0.0], 50) == 0
