@@ -18,7 +18,7 @@ from engine.kernels.following import (
     share_of_b,
     turning,
 )
-from engine.kernels.packing import pack, pack_again, relax_lane, unload
+from engine.kernels.packing import load_points, pack, pack_again, unload
 from engine.kernels.sweeps import QUIET, WILD, warm_start
 from engine.linkage.limb_groups import (
     EASING,
@@ -187,7 +187,7 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
     if steady:
         still = calm_groups(t, left, 2 * STEADY_SWEEPS, STILL)
     else:
-        calm_down(t, left, count, part, packed)
+        calm_down(t, left, count)
     ease_limbs(t)
     keep_ends(t, part, done, steady)
     t.lanes.sizes[2] = 0
@@ -211,33 +211,29 @@ def follow_to_end(t: Tables, resting: int, part: float, packed: bool) -> int:
     for k in range(resting):
         pair = t.pairs.resting[k]
         row = t.pairs.lane[pair] if packed else -1
-        t.pairs.acting[pair] = 0
         if t.pairs.state[pair] == RESTING and turning(t, pair, part) <= TUMBLING:
             remember(t, pair)
             follow(t, pair, BARELY)
             if are_buried(t, pair) and has_drifted(t, pair):
                 find_points(t, pair, 0.0)
+            stiffen(t, pair, part)
             if row >= 0:
-                relax_lane(t, pair, row, part)
-            else:
-                stiffen(t, pair, part)
+                load_points(t, pair, row)
             t.pairs.resting[left] = pair
             left += 1
         elif row >= 0:
             unload(t, row)
+        t.pairs.acting[pair] = 0
     return left
 
 
-def calm_down(t: Tables, left: int, count: int, part: float, packed: bool) -> None:
+def calm_down(t: Tables, left: int, count: int) -> None:
     """Sweep over contacts that are ready to relax until no point approaches."""
     violent = is_violent(t, left)
     polish = CALM if violent or t.state.restless[0] == 1 else FINE
     crowded = is_crowd(t, left, violent)
     gives_up = not violent and not crowded and t.braces.sizes[0] == 0
     most = PATIENT_SWEEPS if violent else t.progress.sweeps[0]
-    if packed and not crowded:
-        for k in range(left):
-            stiffen(t, t.pairs.resting[k], part)
     if crowded:
         pack_again(t, left, count)
         sweep_until_calm(t, most, polish, 1)

@@ -24,6 +24,7 @@ from engine.kernels.steady import (
     balance,
     is_unsteady,
     relies,
+    strays,
     watch,
 )
 from engine.kernels.sticking import cluster_of
@@ -163,18 +164,8 @@ def put_off(t: Tables, count: int) -> None:
     """Let those that one sweep showed to be unsteady not be tried for some ticks."""
     bodies = t.bodies
     for row in range(count):
-        if bodies.held[row] > 0 and stirred_by_sweep(t, row):
+        if bodies.held[row] > 0 and strays(t, row, STIRRED * BEARING):
             bodies.calm[row] = LONG - LATER
-
-
-def stirred_by_sweep(t: Tables, row: int) -> bool:
-    """Whether sweeps changed what forces and loads do to a body by more than is steady."""
-    bodies = t.bodies
-    reach = bodies.reach[row]
-    more = abs(bodies.kick_x[row] - bodies.left_x[row])
-    more += abs(bodies.kick_y[row] - bodies.left_y[row])
-    more += abs(bodies.kick_spin[row] - bodies.left_spin[row]) * reach
-    return more > STIRRED * BEARING * reach
 
 
 def end_waiting(t: Tables, count: int) -> None:

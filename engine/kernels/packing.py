@@ -208,45 +208,6 @@ def is_packed(t: Tables, resting: int) -> bool:
     return True
 
 
-def relax_lane(t: Tables, pair: int, row: int, part: float) -> None:
-    """Write to its lane what became of a pair in a part (s) that is over: where it touches, and
-    that no point may approach further; see `contacts.stiffen`.
-    """
-    lanes = t.lanes
-    contacts = t.contacts
-    points = t.pairs.points[pair]
-    lanes.normal_x[row] = t.pairs.normal_x[pair]
-    lanes.normal_y[row] = t.pairs.normal_y[pair]
-    if points > 0:
-        at = 2 * pair
-        gap = contacts.gap[at]
-        lanes.normal_arm_a_0[row] = contacts.normal_arm_a[at]
-        lanes.normal_arm_b_0[row] = contacts.normal_arm_b[at]
-        lanes.tangent_arm_a_0[row] = contacts.tangent_arm_a[at]
-        lanes.tangent_arm_b_0[row] = contacts.tangent_arm_b[at]
-        lanes.tangent_mass_0[row] = contacts.tangent_mass[at]
-        lanes.hardness_0[row] = contacts.normal_mass[at]
-        lanes.softness_0[row] = 0.0
-        lanes.target_0[row] = 2.0 * gap / part if gap > 0.0 else 0.0
-    else:
-        clear_point_0(t, row)
-    if t.lanes.points[row // LANES] == 1:
-        return
-    if points > 1:
-        at = 2 * pair + 1
-        gap = contacts.gap[at]
-        lanes.normal_arm_a_1[row] = contacts.normal_arm_a[at]
-        lanes.normal_arm_b_1[row] = contacts.normal_arm_b[at]
-        lanes.tangent_arm_a_1[row] = contacts.tangent_arm_a[at]
-        lanes.tangent_arm_b_1[row] = contacts.tangent_arm_b[at]
-        lanes.tangent_mass_1[row] = contacts.tangent_mass[at]
-        lanes.hardness_1[row] = contacts.normal_mass[at]
-        lanes.softness_1[row] = 0.0
-        lanes.target_1[row] = 2.0 * gap / part if gap > 0.0 else 0.0
-    else:
-        clear_point_1(t, row)
-
-
 def unload(t: Tables, row: int) -> None:
     """Let a lane keep its impulses as they are."""
     lanes = t.lanes

@@ -136,18 +136,25 @@ def relies(t: Tables, count: int, resting: int, part: float) -> bool:
     warm_start(t, resting)
     bear_evenly(t, part)
     for row in range(count):
-        if bodies.held[row] > 0:
-            reach = bodies.reach[row]
-            more = abs(bodies.kick_x[row] - bodies.left_x[row])
-            more += abs(bodies.kick_y[row] - bodies.left_y[row])
-            more += abs(bodies.kick_spin[row] - bodies.left_spin[row]) * reach
-            if more > EXACTLY * reach:
-                return False
+        if bodies.held[row] > 0 and strays(t, row, EXACTLY):
+            return False
     for k in range(resting):
         touch(t, t.pairs.resting[k])
     keep_limb_impulses(t, part)
     bend(t, count, part)
     return True
+
+
+def strays(t: Tables, row: int, most: float) -> bool:
+    """Whether loads leave a body another change of velocity than when forces were last balanced, by
+    more than `most` (reaches a second).
+    """
+    bodies = t.bodies
+    reach = bodies.reach[row]
+    more = abs(bodies.kick_x[row] - bodies.left_x[row])
+    more += abs(bodies.kick_y[row] - bodies.left_y[row])
+    more += abs(bodies.kick_spin[row] - bodies.left_spin[row]) * reach
+    return more > most * reach
 
 
 def balance(t: Tables, count: int, resting: int, part: float) -> int:
