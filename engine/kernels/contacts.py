@@ -67,7 +67,7 @@ WILD_SWEEPS = 4
 joints act that are no hinges of trees, whose strain would grow."""
 
 CROWD = 64
-"""Contacts from which on they are taken in turns and side by side; see `sweeps` and `crowds`."""
+"""Contacts from which on they are taken in turns and side by side; see `packing` and `crowds`."""
 
 CROWD_SWEEPS = 2
 """Sweeps of a crowd that correct overlaps, at most, unless heavy bodies rest on light ones: those
