@@ -8,6 +8,7 @@ from app.camera import Camera
 from app.deliverables import Deliverables
 from app.frames import Film
 from app.outputs import prepare
+from app.outputs.remote import new_pixels
 from app.overlay import Overlay
 from app.player import Player
 from app.report import Output, Report
@@ -55,7 +56,8 @@ def render(
             watcher.filmed(frames)
 
         overlay = Overlay(load_words(scenario.lang))
-        camera = Camera(Surface(width, height), overlay, deliverables.films, film.fps, filmed)
+        surface = Surface(width, height, new_pixels)
+        camera = Camera(surface, overlay, deliverables.films, film.fps, filmed)
 
         def heed(cue: Cue) -> None:
             if isinstance(cue, Screenshot):

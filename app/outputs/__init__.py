@@ -74,7 +74,8 @@ def prepare(paths: "Sequence[str]") -> None:
     """Begin to load what will encode these outputs; it takes a moment, in its own processes."""
     kinds = [kind for kind in map(kind_of, paths) if kind not in DATA]
     if kinds:
-        from app.outputs.remote import AVAILABLE, prepare_workers
+        from app.outputs.remote import prepare_workers
+        from app.outputs.shared import AVAILABLE
 
         if AVAILABLE:
             prepare_workers([_ENCODERS[kind][0] for kind in kinds if kind in _ENCODERS])
@@ -91,7 +92,8 @@ def open_sink(path: str | os.PathLike[str], film: "Film", *, remote: bool = Fals
     if kind is None or kind not in _ENCODERS:
         raise OutputError(path, "a report is written after the film, not frame by frame")
     from app.outputs.kept import Kept
-    from app.outputs.remote import AVAILABLE, Remote
+    from app.outputs.remote import Remote
+    from app.outputs.shared import AVAILABLE
 
     module, name = _ENCODERS[kind]
     pictures = kind not in DATA

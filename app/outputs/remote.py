@@ -10,19 +10,19 @@ import pickle
 import subprocess
 from collections.abc import Sequence
 from contextlib import suppress
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
-from app.frames import Film, Frame, Moment
-from app.outputs.slots import filled_by_us, new_memory
-from engine.own_process import start
+import numpy as np
 
-AVAILABLE = os.name == "posix"
-"""Whether processes can share memory by its descriptor."""
+from app.frames import Film, Frame, Moment, Pixels
+from app.outputs.shared import AVAILABLE, Memory, most_waiting
+from engine.own_process import start
 
 
 class Begin(NamedTuple):
-    """Make the encoder `name` of `module` for a film; the memory has room for pictures of it."""
+    """Make the encoder `name` of `module` for a film."""
 
     module: str
     name: str
@@ -31,10 +31,10 @@ class Begin(NamedTuple):
 
 
 class Picture(NamedTuple):
-    """Encode the picture in a slot, which is free again when an answer says so."""
+    """Encode the picture at a place, which stays as it is until an answer says it is done with."""
 
     number: int
-    slot: int
+    place: int
 
 
 class Finish(NamedTuple):
@@ -49,15 +49,15 @@ class Answer(NamedTuple):
 
     failure: Exception | None
     """What failed, in this request or one before."""
-    free: list[int]
-    """Slots that are free again."""
+    done_with: list[int]
+    """Places whose pictures are not needed any more."""
 
 
 class Remote:
     """An `Encoder` whose work is done by a worker (`worker.py`).
 
-    Each request is answered in turn. Of pictures no answer is awaited as long as there is a free
-    slot, so what fails comes out of a later call.
+    Each request is answered in turn. Of pictures no answer is awaited before a few are waiting, so
+    what fails comes out of a later call.
     """
 
     def __init__(self, module: str, name: str, part: Path, film: Film) -> None:
@@ -65,8 +65,10 @@ class Remote:
         self._worker = _any_worker(module)
         self._finished = False
         try:
-            self._slots = filled_by_us(self._worker.memory, film)
-            self._free = list(range(len(self._slots)))
+            self._film = film
+            self._most = most_waiting(film)
+            self._lent: list[tuple[int, Pixels]] = []
+            """Places and pictures that the worker may still need."""
             self._worker.send(Begin(module, name, part, film))
             self._worker.hear()
         except BaseException:
@@ -74,12 +76,13 @@ class Remote:
             raise
 
     def frame(self, frame: Frame) -> None:
-        """Hand on the next picture; wait for a free slot."""
-        while not self._free:
-            self._free += self._worker.hear()
-        slot = self._free.pop()
-        self._slots[slot] = frame.pixels
-        self._worker.send(Picture(frame.index, slot))
+        """Hand on the next picture; wait while too many are waiting."""
+        while len(self._lent) >= self._most:
+            for place in self._worker.hear():
+                del self._lent[[at for at, _ in self._lent].index(place)]
+        place, pixels = _shared(frame.pixels, self._film)
+        self._lent.append((place, pixels))
+        self._worker.send(Picture(frame.index, place))
 
     def moment(self, moment: Moment) -> None:
         """Pictures have no use for it."""
@@ -89,6 +92,7 @@ class Remote:
         self._worker.send(Finish())
         while self._worker.owes:
             self._worker.hear()
+        self._lent.clear()
         self._finished = True
         _idle.append(self._worker)
 
@@ -99,25 +103,20 @@ class Remote:
 
 
 class WorkerProcess:
-    """A process that carries out requests, and the memory that is shared with it."""
+    """A process that carries out requests, and sees the memory of pictures."""
 
     def __init__(self, module: str) -> None:
         """Start it, ready for the encoders of `module`; raises OSError."""
-        self.memory = new_memory()
-        """Its descriptor."""
-        try:
-            self._process = start(
-                "app.outputs.worker",
-                str(self.memory),
-                module,
-                stdin=subprocess.PIPE,
-                stdout=subprocess.PIPE,
-                stderr=None,
-                pass_fds=(self.memory,),
-            )
-        except BaseException:
-            os.close(self.memory)
-            raise
+        memory = _memory().descriptor
+        self._process = start(
+            "app.outputs.worker",
+            str(memory),
+            module,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=None,
+            pass_fds=(memory,),
+        )
         self.owes = 0
         """Answers that are still to come."""
 
@@ -137,7 +136,7 @@ class WorkerProcess:
         self.owes += 1
 
     def hear(self) -> list[int]:
-        """Wait for the next answer: slots that are free again.
+        """Wait for the next answer: places whose pictures are not needed any more.
 
         Raises what failed, or OSError if the process has ended.
         """
@@ -149,7 +148,7 @@ class WorkerProcess:
         self.owes -= 1
         if answer.failure is not None:
             raise answer.failure
-        return answer.free
+        return answer.done_with
 
     def end(self) -> None:
         """End it at once."""
@@ -160,11 +159,39 @@ class WorkerProcess:
         """Let it end, which it does when its input ends."""
         with suppress(BrokenPipeError), self._process:  # closes its streams, and waits
             pass
-        os.close(self.memory)
 
     def _has_ended(self) -> OSError:
         code = self._process.wait()
         return OSError(f"the process that encodes it has ended ({code})")
+
+
+@cache
+def _memory() -> Memory:
+    """What all workers of this process see."""
+    return Memory()
+
+
+def new_pixels(shape: tuple[int, int]) -> Pixels:
+    """A picture of (height, width) with anything in it, where workers see it if that can be."""
+    if AVAILABLE:
+        with suppress(OSError):
+            return _memory().new(shape)
+    return np.empty(shape, np.uint32)
+
+
+def _shared(pixels: Pixels, film: Film) -> tuple[int, Pixels]:
+    """Where workers see this picture of a film, or a copy of it, and what keeps it there.
+
+    Raises OSError, and ValueError for a picture of another size.
+    """
+    memory, shape = _memory(), (film.height, film.width)
+    place = memory.place(pixels) if pixels.shape == shape else None
+    while place is None:
+        copy = memory.new(shape)
+        copy[:] = pixels
+        copy.flags.writeable = False
+        place, pixels = memory.place(copy), copy
+    return place, pixels
 
 
 _idle: list[WorkerProcess] = []
@@ -194,6 +221,7 @@ def dismiss_workers() -> None:
         _idle.pop().leave()
 
 
-# A forked process may not talk to the workers of the one it comes from.
+# A forked process may not talk to the workers of the one it comes from, nor paint in its memory.
 if hasattr(os, "register_at_fork"):
     os.register_at_fork(after_in_child=_idle.clear)
+    os.register_at_fork(after_in_child=_memory.cache_clear)

@@ -21,7 +21,7 @@ from app.frames import Frame
 from app.outputs.kept import Encoder
 from app.outputs.promise import OutputError
 from app.outputs.remote import Answer, Begin, Picture, Request
-from app.outputs.slots import Lender
+from app.outputs.shared import Lender
 
 
 class Worker:
@@ -42,14 +42,14 @@ class Worker:
                     self._carry_out(request)
                 except Exception as error:  # noqa: BLE001 - whoever asked is told
                     self._failure = _portable(error)
-            free = self._pictures.given_back() if self._pictures is not None else []
-            pickle.dump(Answer(self._failure, free), replies)
+            done_with = self._pictures.given_back() if self._pictures is not None else []
+            pickle.dump(Answer(self._failure, done_with), replies)
             replies.flush()
 
     def _carry_out(self, request: Request) -> None:
         if isinstance(request, Picture):
             assert self._pictures is not None
-            self._encoder.frame(Frame(request.number, self._pictures.lend(request.slot)))
+            self._encoder.frame(Frame(request.number, self._pictures.lend(request.place)))
         elif isinstance(request, Begin):
             self._pictures = Lender(self._memory, request.film)
             make = getattr(importlib.import_module(request.module), request.name)

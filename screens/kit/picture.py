@@ -15,7 +15,7 @@ from screens.kit.cache import Cache
 from screens.kit.discs import Coat, Discs
 from screens.kit.raster import Box, Look, Mask, Shape, bounding_box, cover
 from screens.kit.sdl import pygame
-from screens.kit.sheets import Page, Pixels, Sheet, Sheets
+from screens.kit.sheets import NewPixels, Page, Pixels, Sheet, Sheets
 from screens.kit.theme import Color
 
 LARGEST = 8192
@@ -37,8 +37,10 @@ STRIP = 64
 class Picture:
     """A picture of `width` x `height` pixels without transparency, black at first."""
 
-    def __init__(self, width: int, height: int, like: "Picture | None" = None) -> None:
-        """Make a picture; it shares masks and sprites with `like`.
+    def __init__(
+        self, width: int, height: int, new_pixels: NewPixels, like: "Picture | None" = None
+    ) -> None:
+        """Make a picture on memory from `new_pixels`; it shares masks and sprites with `like`.
 
         Raises:
             ValueError: for sides that are not 1..8192 pixels.
@@ -56,11 +58,11 @@ class Picture:
         self._patches: Cache[Pixels] = Cache(PATCHES)
         self._clip = Box(0, 0, width, height)
         """What may be painted."""
-        self._sheets = Sheets(height, width)
+        self._sheets = Sheets(height, width, new_pixels)
         self._lent: Pixels | None = None
         """What was handed out of the sheet in hand."""
         self._page: Page | None = None
-        self._begin(Sheet(np.zeros((height, width), np.uint32)))
+        self._begin(self._sheets.blank())
 
     def pixels(self) -> Pixels:
         """The picture as it is now, read-only.
@@ -97,7 +99,7 @@ class Picture:
     def _ready(self) -> Sheet:
         """What to paint on: never what somebody else may hold by now."""
         if self._lent is not None:
-            self._begin(Sheet(self._sheet.pixels.copy()))
+            self._begin(self._sheets.copy(self._sheet))
         return self._sheet
 
     def fill(self, color: Color, box: Box | None = None) -> None:

@@ -5,6 +5,7 @@ with and where it was painted on since, so that only there the page is laid anew
 """
 
 from collections import deque
+from collections.abc import Callable
 from typing import Final
 
 import numpy as np
@@ -16,6 +17,9 @@ from screens.kit.theme import Color
 Pixels = NDArray[np.uint32]
 """Shape (height, width), each 0x00RRGGBB, C-contiguous."""
 
+NewPixels = Callable[[tuple[int, int]], Pixels]
+"""Gives pixels of a shape with anything in them, in memory that others may see."""
+
 LAYOUT: Final = "RGBX"
 """Order of bytes, as pygame is told. What it takes for red is our blue: only so it paints on memory
 that is not its own."""
@@ -23,6 +27,11 @@ IDLE = 32 << 20
 """Bytes of sheets that wait to be used again."""
 PIECES = 400
 """A sheet that was painted on in more places than this is laid with the whole page."""
+
+
+def private_pixels(shape: tuple[int, int]) -> Pixels:
+    """Pixels with anything in them, in memory of our own."""
+    return np.empty(shape, np.uint32)
 
 
 class Page:
@@ -96,9 +105,10 @@ class _Loan:
 class Sheets:
     """All sheets of one picture."""
 
-    def __init__(self, height: int, width: int) -> None:
+    def __init__(self, height: int, width: int, new_pixels: NewPixels = private_pixels) -> None:
         """None yet; all will be of this shape (px)."""
         self.shape = (height, width)
+        self._new_pixels = new_pixels
         # Whoever is the last to hold a frame gives its sheet back, in any thread.
         self._idle: deque[Sheet] = deque(maxlen=IDLE // (4 * height * width))
 
@@ -106,11 +116,23 @@ class Sheets:
         """The pixels of a sheet, to be read; it is not painted on while they are held."""
         return np.asarray(_Loan(sheet, self._idle))
 
+    def blank(self) -> Sheet:
+        """A black sheet."""
+        sheet = Sheet(self._new_pixels(self.shape))
+        sheet.pixels[:] = 0
+        return sheet
+
+    def copy(self, like: Sheet) -> Sheet:
+        """A sheet that looks like another, of which it is not known what is painted on it."""
+        sheet = Sheet(self._new_pixels(self.shape))
+        np.copyto(sheet.pixels, like.pixels)
+        return sheet
+
     def laid(self, page: Page) -> Sheet:
         """A sheet that looks like a page, one that did before if there is any."""
         try:
             sheet = self._idle.pop()
         except IndexError:
-            sheet = Sheet(np.empty(self.shape, np.uint32))
+            sheet = Sheet(self._new_pixels(self.shape))
         sheet.lay(page)
         return sheet

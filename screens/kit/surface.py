@@ -16,6 +16,7 @@ from screens.kit.geometry import Point, Rect, Size
 from screens.kit.picture import Picture
 from screens.kit.raster import FILLED, ArrowShape, Bar, Box, Disc, Hull, Look, Shape, Slab, Stroke
 from screens.kit.scale import scale_of
+from screens.kit.sheets import NewPixels, private_pixels
 from screens.kit.text import ASCENT, CAP_HEIGHT, DESCENT, FINE, LONGEST, Type, printable
 from screens.kit.theme import Color, Style
 
@@ -40,13 +41,21 @@ class Surface:
     What lies outside the picture or the current clip costs nothing.
     """
 
-    def __init__(self, width: int, height: int, _like: "Surface | None" = None) -> None:
-        """Make a black picture.
+    def __init__(
+        self,
+        width: int,
+        height: int,
+        new_pixels: NewPixels = private_pixels,
+        _like: "Surface | None" = None,
+    ) -> None:
+        """Make a black picture; `new_pixels` gives the memory that is painted on.
 
         Raises:
             ValueError: for sides that are not 1..8192 pixels.
         """
-        self._picture: Picture = Picture(width, height, _like._picture if _like else None)
+        self._picture: Picture = Picture(
+            width, height, new_pixels, _like._picture if _like else None
+        )
         self.width = width
         """(px)"""
         self.height = height

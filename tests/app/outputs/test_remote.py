@@ -12,7 +12,9 @@ import pytest
 from app.frames import Film, Frame, Pixels, Sink
 from app.outputs import OutputError, open_sink, remote
 from app.outputs.remote import Remote
-from app.outputs.slots import MOST
+from app.outputs.shared import MOST
+from screens.kit import theme
+from screens.kit.surface import Surface
 
 FORMATS = ("film.mp4", "film.webm", "film.gif", "film.apng", "film.webp", "frames/")
 
@@ -73,6 +75,19 @@ def test_what_was_handed_over_may_change_at_once(
         sink.frame(Frame(number, memory))
     sink.close()
     assert kept.read_bytes() == used_again.read_bytes()
+
+
+def test_what_is_painted_where_workers_see_it_is_not_copied() -> None:
+    surface, held = Surface(72, 128, remote.new_pixels), []
+    for shade in range(6):
+        surface.static(shade % 2, lambda page: page.fill(theme.CANVAS))
+        surface.circle((40, 40), 10, (shade, shade, shade))
+        held.append(surface.pixels())
+        surface.circle((60, 60), 10, (shade, shade, shade))  # on a copy
+        held.append(surface.pixels())
+    places = [remote._memory().place(pixels) for pixels in held]
+    assert None not in places
+    assert len(set(places)) == len(held)
 
 
 def test_a_worker_serves_film_after_film_of_any_size(tmp_path: Path) -> None:
@@ -228,7 +243,7 @@ def test_a_forked_process_uses_workers_of_its_own() -> None:
         "remote.prepare_workers(['app.outputs.gif'])\n"
         "assert len(remote._idle) == 1\n"
         "if (child := os.fork()) == 0:\n"
-        "    os._exit(len(remote._idle))\n"
+        "    os._exit(len(remote._idle) + remote._memory.cache_info().currsize)\n"
         "sys.exit(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))\n"
     )
     assert subprocess.run([sys.executable, "-W", "ignore", "-c", code], check=False).returncode == 0
