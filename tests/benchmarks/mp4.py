@@ -23,7 +23,7 @@ from app.outputs.conversion import converted
 from app.outputs.remote import dismiss_workers
 from app.outputs.video import Mp4
 
-ROUNDS = 5
+ROUNDS = 9
 
 
 def alone(pictures: list[av.VideoFrame], target: Path) -> None:

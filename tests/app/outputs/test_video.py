@@ -1,13 +1,18 @@
+import os
+import sys
 from collections.abc import Callable
 from fractions import Fraction
 from pathlib import Path
+from threading import get_native_id
 
 import numpy as np
 import pytest
 
-from app.frames import Pixels
+from app.frames import Film, Frame, Pixels
 
 av = pytest.importorskip("av")
+
+from app.outputs.video import GIVES_WAY, Mp4  # noqa: E402
 
 Write = Callable[..., Path]
 
@@ -54,6 +59,16 @@ def test_every_frame_at_its_time(write: Write, pictures: list[Pixels], name: str
     assert len(frames) == 40
     for index, (time, _) in enumerate(frames):
         assert float(time) == pytest.approx(index / fps, abs=0.00051)  # WebM counts milliseconds
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="its threads have one priority")
+def test_encoding_goes_before_converting(tmp_path: Path, film: Film) -> None:
+    encoder = Mp4(tmp_path / "film.mp4", film)
+    niceness = encoder._thread.submit(lambda: os.getpriority(os.PRIO_PROCESS, get_native_id()))
+    assert niceness.result() == min(os.nice(0) + GIVES_WAY, 19)
+    encoder.frame(Frame(0, np.zeros((film.height, film.width), np.uint32)))
+    assert os.getpriority(os.PRIO_PROCESS, get_native_id()) == os.nice(0)
+    encoder.finish()
 
 
 def test_what_a_player_is_told(write: Write, pictures: list[Pixels]) -> None:
