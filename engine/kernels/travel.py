@@ -284,16 +284,17 @@ def meet_in_order(
         a = pairs.a[pair]
         b = pairs.b[pair]
         rests = meet(t, pair, now, time, dt, substep, limit)
-        if rests and held == 0 and time < part:
-            return DONE, time, queued
-        if rests and written[1] < limit and turning(t, pair, part - time) > PLUNGE:
+        if pair_waits(t, pair) or t.progress.roused[0] == 1:
+            t.progress.roused[0] = 1
+            cut = True  # but first, what waits hands the blow on to what it rests on
+        elif rests and (
+            (held == 0 and time < part)
+            or (written[1] < limit and turning(t, pair, part - time) > PLUNGE)
+        ):
             return DONE, time, queued
         if is_joined(t, pair):
             written[1] += joints_that_act(t) // 8  # joints make it dear: give up sooner
             queued = look_at_joined(t, a, b, time, part, queued, written[1] < 2 * limit)
-        if pair_waits(t, pair) or t.progress.roused[0] == 1:
-            t.progress.roused[0] = 1
-            cut = True
         left = dt - now - time
         if has_escaped(t, a, left) or has_escaped(t, b, left):
             escaped = True

@@ -137,3 +137,19 @@ def test_the_tick_is_taken_at_once_where_all_rests(monkeypatch: pytest.MonkeyPat
     monkeypatch.setattr(travel, "settle", counted)
     world.step(DT)
     assert len(parts) == 2  # as the tick begins, and in its only part
+
+
+@pytest.mark.parametrize("height", [8.0, 8.1, 8.4])
+def test_what_waits_hands_a_blow_on_to_the_floor_at_once(height: float) -> None:
+    """A plastic blow on a disc at rest: it sank by a fifth of its radius, and the books broke."""
+    world = World(gravity=(0, -G), integrator="velocity-verlet")
+    world.add(Wall((-9, 0), (9, 0)))
+    lying = world.add(Circle(0.5), position=(0, 0.5))
+    world.add(Circle(0.5), position=(0, height))
+    deepest = 0.0
+    for _ in range(100):
+        world.step(DT)
+        deepest = min(deepest, lying.y - 0.5)
+    assert world.kinetic_energy < 0.01
+    assert deepest > -1e-3
+    assert world.ledger().energy_error == pytest.approx(0.0, abs=1e-10)
