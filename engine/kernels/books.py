@@ -356,8 +356,12 @@ def book_held(
     spin = bodies.mean_spin[row]
     if vx == 0.0 and vy == 0.0 and spin == 0.0:
         return
-    turn = 0.0
+    turn = t.pairs.rolling_torque[pair] * t.pairs.part[pair]
+    if relaxing:
+        turn -= t.pairs.booked_rolling[pair]
     first = row == t.pairs.a[pair]
+    if not first:
+        turn = -turn
     for point in range(2 * pair, 2 * pair + points):
         normal = contacts.normal_impulse[point]
         tangent = contacts.tangent_impulse[point]

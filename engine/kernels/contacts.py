@@ -20,6 +20,7 @@ from engine.kernels.following import (
 )
 from engine.kernels.packing import load_points, pack, pack_again, unload
 from engine.kernels.sweeps import QUIET, WILD, warm_start
+from engine.kernels.touches import collect
 from engine.linkage.limb_groups import (
     EASING,
     EVENLY,
@@ -215,7 +216,9 @@ def follow_to_end(t: Tables, resting: int, part: float, packed: bool) -> int:
             remember(t, pair)
             follow(t, pair, BARELY)
             if are_buried(t, pair) and has_drifted(t, pair):
+                collect(t, pair, 1.0)  # along the normal as it was
                 find_points(t, pair, 0.0)
+                collect(t, pair, -1.0)
             stiffen(t, pair, part)
             if row >= 0:
                 load_points(t, pair, row)

@@ -136,7 +136,7 @@ def travel(
             resting = settle(t, count, pair_count, substep)
         if resting > 0:
             t.progress.straight[0] = 0
-        if now == 0.0 and resting > 0 and steady == 0:
+        if now == 0.0 and resting > 0 and t.progress.stalled[0] == 0:  # once a tick
             resting, steady, steadiness = wait_steadily(t, count, resting, dt)
         part, held = plan(t, count, resting, dt - now, substep, now, LONGEST)
         joined = joints_that_act(t)
