@@ -1,6 +1,7 @@
 """Which trees of hinges take part in the present part of a tick: all loops over them ask here."""
 
 from engine.linkage.limb_sweeps import find_even
+from engine.linkage.limbs import find_runs
 from engine.tables import Tables
 
 
@@ -16,6 +17,7 @@ def list_acting(t: Tables, waits: int) -> None:
             acting[listed] = bone
             listed += 1
     bones.sizes[8] = listed
+    find_runs(t)
     for bone in range(bones.sizes[0], bones.sizes[1]):
         if t.bodies.waits[bones.body[bone]] == waits:
             acting[listed] = bone

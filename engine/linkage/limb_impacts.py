@@ -3,7 +3,7 @@
 from engine.linkage.jolts import jolt_at
 from engine.linkage.limb_impulses import add_up_limb, lend_limb, lend_nothing
 from engine.linkage.limb_velocities import find_hinge_rate
-from engine.linkage.limbs import eliminate, load_alone, place_bone, place_limb, solve_tree
+from engine.linkage.limbs import bear, eliminate, load_alone, place_bone, place_limb, solve_tree
 from engine.tables import Tables
 
 
@@ -23,9 +23,10 @@ def place_tree(t: Tables, tree: int, time: float) -> None:
     for at in range(first, end):
         place_in_flight(t, limbs.member[at], time)
     for at in range(first, end):
-        place_limb(t, limbs.member[at])
-    for at in range(first, end):
-        eliminate(t, limbs.member[at])
+        k = limbs.member[at]
+        place_limb(t, k, limbs.parent[k])
+        eliminate(t, k)
+        bear(t, k, limbs.parent[k])
 
 
 def place_in_flight(t: Tables, bone: int, time: float) -> None:
@@ -57,7 +58,8 @@ def jolt_tree(t: Tables, tree: int) -> None:
     first = t.trees.first[tree]
     end = first + t.trees.limbs[tree]
     for at in range(first, end):
-        find_hinge_rate(t, limbs.member[at])
+        k = limbs.member[at]
+        find_hinge_rate(t, k, limbs.parent[k])
     solve_tree(t, tree)
     lend_nothing(t, limbs.parent[limbs.member[end - 1]])
     for at in range(first, end):

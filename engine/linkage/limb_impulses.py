@@ -83,15 +83,38 @@ def lend_all(t: Tables) -> None:
     bones = t.bones
     for bone in range(bones.sizes[1]):
         lend_nothing(t, bone)
-    for at in range(bones.sizes[8]):
-        lend_limb(t, bones.acting[at])
+    for run in range(bones.sizes[12]):
+        first = bones.run_first[run]
+        end = bones.run_end[run]
+        lead = bones.run_lead[run]
+        for k in range(first, end):
+            lend_parent(t, k, k + lead)
+        for k in range(first, end):
+            lend_child(t, k)
 
 
 def lend_limb(t: Tables, k: int) -> None:
     """Let one limb do so."""
+    lend_parent(t, k, t.limbs.parent[k])
+    lend_child(t, k)
+
+
+def lend_parent(t: Tables, k: int, parent: int) -> None:
+    """Let what a limb exerts change the velocity of the parent."""
     bones = t.bones
     limbs = t.limbs
-    parent = limbs.parent[k]
+    x = limbs.impulse_x[k] - limbs.given_x[k]
+    y = limbs.impulse_y[k] - limbs.given_y[k]
+    turn = limbs.lever_x[k] * y - limbs.lever_y[k] * x
+    bones.lent_x[parent] -= bones.inverse_mass[parent] * x
+    bones.lent_y[parent] -= bones.inverse_mass[parent] * y
+    bones.lent_spin[parent] -= bones.inverse_inertia[parent] * turn
+
+
+def lend_child(t: Tables, k: int) -> None:
+    """Let it change that of the child; then it is given."""
+    bones = t.bones
+    limbs = t.limbs
     x = limbs.impulse_x[k] - limbs.given_x[k]
     y = limbs.impulse_y[k] - limbs.given_y[k]
     limbs.given_x[k] = limbs.impulse_x[k]
@@ -100,10 +123,6 @@ def lend_limb(t: Tables, k: int) -> None:
     bones.lent_x[k] += bones.inverse_mass[k] * x
     bones.lent_y[k] += bones.inverse_mass[k] * y
     bones.lent_spin[k] += bones.inverse_inertia[k] * turn
-    turn = limbs.lever_x[k] * y - limbs.lever_y[k] * x
-    bones.lent_x[parent] -= bones.inverse_mass[parent] * x
-    bones.lent_y[parent] -= bones.inverse_mass[parent] * y
-    bones.lent_spin[parent] -= bones.inverse_inertia[parent] * turn
 
 
 def deliver_starts(t: Tables) -> None:

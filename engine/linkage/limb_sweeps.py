@@ -51,7 +51,7 @@ def place_even(t: Tables, part: float) -> None:
     for at in range(bones.sizes[8]):
         k = bones.acting[at]
         if t.trees.evenly[t.limbs.tree[k]] == 1:
-            place_limb(t, k)
+            place_limb(t, k, t.limbs.parent[k])
 
 
 def expect_evenly(t: Tables, k: int, part: float) -> None:

@@ -3,7 +3,7 @@
 from engine.linkage.limb_impulses import add_up_limb, deliver_ends, lend_all, read_ends
 from engine.linkage.limb_motion import step_limb
 from engine.linkage.limb_sweeps import aim_sweeps
-from engine.linkage.limbs import resolve, resolve_tree, solve_all, solve_tree, stand
+from engine.linkage.limbs import find_worst, resolve, resolve_tree, solve_all, solve_tree, stand
 from engine.tables import Tables
 
 STILL = 1e-12
@@ -68,26 +68,22 @@ def find_hinge_rates(t: Tables) -> None:
     """Want all hinges to open no more; note of each tree the fastest, in sizes of joints a second,
     squared.
     """
+    bones = t.bones
     limbs = t.limbs
-    worst = t.trees.worst
-    for at in range(t.bones.sizes[10]):
-        worst[t.trees.acting[at]] = 0.0
-    for at in range(t.bones.sizes[8]):
-        k = t.bones.acting[at]
-        find_hinge_rate(t, k)
-        tree = limbs.tree[k]
-        x = limbs.rate_x[k]
-        y = limbs.rate_y[k]
-        size = (x * x + y * y) * limbs.scale[k]
-        if size > worst[tree]:
-            worst[tree] = size
+    for run in range(bones.sizes[12]):
+        lead = bones.run_lead[run]
+        for k in range(bones.run_first[run], bones.run_end[run]):
+            find_hinge_rate(t, k, k + lead)
+            x = limbs.rate_x[k]
+            y = limbs.rate_y[k]
+            limbs.miss[k] = (x * x + y * y) * limbs.scale[k]
+    find_worst(t)
 
 
-def find_hinge_rate(t: Tables, k: int) -> None:
+def find_hinge_rate(t: Tables, k: int, parent: int) -> None:
     """Want a hinge to open no more."""
     bones = t.bones
     limbs = t.limbs
-    parent = limbs.parent[k]
     limbs.rate_x[k] = (bones.vx[parent] - bones.spin[parent] * limbs.lever_y[k]) - (
         bones.vx[k] - bones.spin[k] * limbs.arm_y[k]
     )

@@ -15,11 +15,31 @@ With u = v + w k x q, b' = b - A (k x q), c' = c - A^T (k x r), T = d - c . (k x
 
 one division a hinge. The parent bears K at its end of the hinge. A free root is solved for last.
 The cost is in proportion to the number of hinges, also where many of them sit on one body.
+
+Limbs that act are taken in runs, of which no one depends on another. What a run does is parted so
+that in each loop all rows are one after another: a processor does several at once.
 """
 
 import math
 
 from engine.tables import Tables
+
+
+def find_runs(t: Tables) -> None:
+    """List the runs of limbs that act: rows one after another, their parents too, beyond them."""
+    bones = t.bones
+    runs = 0
+    for at in range(bones.sizes[8]):
+        k = bones.acting[at]
+        lead = t.limbs.parent[k] - k
+        last = runs - 1
+        follows = runs > 0 and k == bones.run_end[last] and lead == bones.run_lead[last]
+        if not follows or k >= bones.run_first[last] + lead:
+            bones.run_first[runs] = k
+            bones.run_lead[runs] = lead
+            runs += 1
+        bones.run_end[runs - 1] = k + 1
+    bones.sizes[12] = runs
 
 
 def gather_masses(t: Tables) -> None:
@@ -45,8 +65,10 @@ def stand(t: Tables) -> None:
             place_bone(t, bone, bodies.x[row], bodies.y[row], bodies.angle[row])
         else:
             place_bone(t, bone, 0.0, 0.0, 0.0)
-    for at in range(bones.sizes[8]):
-        place_limb(t, bones.acting[at])
+    for run in range(bones.sizes[12]):
+        lead = bones.run_lead[run]
+        for k in range(bones.run_first[run], bones.run_end[run]):
+            place_limb(t, k, k + lead)
 
 
 def stands(t: Tables) -> bool:
@@ -79,11 +101,10 @@ def place_bone(t: Tables, bone: int, x: float, y: float, angle: float) -> None:
     bones.sin[bone] = math.sin(angle)
 
 
-def place_limb(t: Tables, k: int) -> None:
+def place_limb(t: Tables, k: int, parent: int) -> None:
     """Find where the hinge is on both bones that have been placed, and where its impulse acts."""
     bones = t.bones
     limbs = t.limbs
-    parent = limbs.parent[k]
     cos = bones.cos[k]
     sin = bones.sin[k]
     x = limbs.child_x[k]
@@ -114,22 +135,31 @@ def place_limb(t: Tables, k: int) -> None:
 
 def resolve(t: Tables) -> None:
     """Eliminate all limbs, from the tips to the roots."""
-    for bone in range(t.bones.sizes[2]):
+    bones = t.bones
+    for bone in range(bones.sizes[2]):
         load_alone(t, bone)
-    for at in range(t.bones.sizes[8]):
-        eliminate(t, t.bones.acting[at])
+    for run in range(bones.sizes[12]):
+        first = bones.run_first[run]
+        end = bones.run_end[run]
+        lead = bones.run_lead[run]
+        for k in range(first, end):
+            eliminate(t, k)
+        for k in range(first, end):
+            bear(t, k, k + lead)
 
 
 def resolve_tree(t: Tables, tree: int) -> None:
     """The same for one tree."""
     first = t.trees.first[tree]
     end = first + t.trees.limbs[tree]
+    parent = t.limbs.parent
     member = t.limbs.member
-    load_alone(t, t.limbs.parent[member[end - 1]])
+    load_alone(t, parent[member[end - 1]])
     for at in range(first, end):
         load_alone(t, member[at])
     for at in range(first, end):
         eliminate(t, member[at])
+        bear(t, member[at], parent[member[at]])
 
 
 def load_alone(t: Tables, bone: int) -> None:
@@ -147,7 +177,7 @@ def load_alone(t: Tables, bone: int) -> None:
 
 
 def eliminate(t: Tables, k: int) -> None:
-    """Find what resists the motion of a hinge, and let the parent bear it."""
+    """Find what resists the motion of a hinge."""
     bones = t.bones
     limbs = t.limbs
     xx = bones.xx[k]
@@ -178,14 +208,16 @@ def eliminate(t: Tables, k: int) -> None:
     limbs.xy[k] = xy
     limbs.yx[k] = yx
     limbs.yy[k] = yy
-    bear(t, k, xx, xy, yx, yy)
 
 
-def bear(t: Tables, k: int, xx: float, xy: float, yx: float, yy: float) -> None:
-    """Let the parent bear what resists the motion of a hinge (kg)."""
+def bear(t: Tables, k: int, parent: int) -> None:
+    """Let the parent bear what resists the motion of a hinge."""
     bones = t.bones
     limbs = t.limbs
-    parent = limbs.parent[k]
+    xx = limbs.xx[k]
+    xy = limbs.xy[k]
+    yx = limbs.yx[k]
+    yy = limbs.yy[k]
     x = limbs.span_x[k]
     y = limbs.span_y[k]
     both_x = xy * x - xx * y
@@ -205,32 +237,42 @@ def bear(t: Tables, k: int, xx: float, xy: float, yx: float, yy: float) -> None:
 
 def solve_all(t: Tables) -> None:
     """Find the impulses that change the velocities of all hinges as wanted."""
-    sizes = t.bones.sizes
-    acting = t.bones.acting
+    bones = t.bones
+    sizes = bones.sizes
     for bone in range(sizes[2]):
         rest(t, bone)
-    for at in range(sizes[8]):
-        push_parent(t, acting[at])
+    for run in range(sizes[12]):
+        first = bones.run_first[run]
+        end = bones.run_end[run]
+        lead = bones.run_lead[run]
+        for k in range(first, end):
+            push(t, k)
+        for k in range(first, end):
+            push_parent(t, k, k + lead)
     for at in range(sizes[8], sizes[9]):
-        move_root(t, acting[at])
-    for at in range(sizes[8] - 1, -1, -1):
-        move_child(t, acting[at])
+        move_root(t, bones.acting[at])
+    for run in range(sizes[12] - 1, -1, -1):
+        lead = bones.run_lead[run]
+        for k in range(bones.run_first[run], bones.run_end[run]):
+            move_child(t, k, k + lead)
 
 
 def solve_tree(t: Tables, tree: int) -> None:
     """The same for one tree."""
     first = t.trees.first[tree]
     end = first + t.trees.limbs[tree]
+    parent = t.limbs.parent
     member = t.limbs.member
-    rest(t, t.limbs.parent[member[end - 1]])
+    rest(t, parent[member[end - 1]])
     for at in range(first, end):
         rest(t, member[at])
     for at in range(first, end):
-        push_parent(t, member[at])
+        push(t, member[at])
+        push_parent(t, member[at], parent[member[at]])
     if t.trees.root[tree] >= 0:
         move_root(t, t.trees.root[tree])
     for at in range(end - 1, first - 1, -1):
-        move_child(t, member[at])
+        move_child(t, member[at], parent[member[at]])
 
 
 def rest(t: Tables, bone: int) -> None:
@@ -241,8 +283,8 @@ def rest(t: Tables, bone: int) -> None:
     bones.push_turn[bone] = 0.0
 
 
-def push_parent(t: Tables, k: int) -> None:
-    """Find the impulse of a hinge as if the parent did not move; let the parent feel it."""
+def push(t: Tables, k: int) -> None:
+    """Find the impulse of a hinge as if the parent did not move."""
     bones = t.bones
     limbs = t.limbs
     x = bones.push_x[k]
@@ -251,11 +293,16 @@ def push_parent(t: Tables, k: int) -> None:
     bones.push_turn[k] = turn
     rate_x = limbs.rate_x[k]
     rate_y = limbs.rate_y[k]
-    x = limbs.xx[k] * rate_x + limbs.xy[k] * rate_y + limbs.lean_x[k] * turn - x
-    y = limbs.yx[k] * rate_x + limbs.yy[k] * rate_y + limbs.lean_y[k] * turn - y
-    limbs.free_x[k] = x
-    limbs.free_y[k] = y
-    parent = limbs.parent[k]
+    limbs.free_x[k] = limbs.xx[k] * rate_x + limbs.xy[k] * rate_y + limbs.lean_x[k] * turn - x
+    limbs.free_y[k] = limbs.yx[k] * rate_x + limbs.yy[k] * rate_y + limbs.lean_y[k] * turn - y
+
+
+def push_parent(t: Tables, k: int, parent: int) -> None:
+    """Let the parent feel it."""
+    bones = t.bones
+    limbs = t.limbs
+    x = limbs.free_x[k]
+    y = limbs.free_y[k]
     bones.push_x[parent] -= x
     bones.push_y[parent] -= y
     bones.push_turn[parent] -= limbs.lever_x[k] * y - limbs.lever_y[k] * x
@@ -285,11 +332,10 @@ def move_root(t: Tables, bone: int) -> None:
     bones.step_spin[bone] = turn - sway_x * step_x - sway_y * step_y
 
 
-def move_child(t: Tables, k: int) -> None:
+def move_child(t: Tables, k: int, parent: int) -> None:
     """Find the impulse of a hinge and how the child moves, now that the parent does."""
     bones = t.bones
     limbs = t.limbs
-    parent = limbs.parent[k]
     spin = bones.step_spin[parent]
     x = bones.step_x[parent] - spin * limbs.span_y[k]
     y = bones.step_y[parent] + spin * limbs.span_x[k]
@@ -301,3 +347,16 @@ def move_child(t: Tables, k: int) -> None:
     bones.step_x[k] = x + spin * limbs.reach_y[k]
     bones.step_y[k] = y - spin * limbs.reach_x[k]
     bones.step_spin[k] = spin
+
+
+def find_worst(t: Tables) -> None:
+    """Note of each tree the greatest miss of a hinge."""
+    limbs = t.limbs
+    worst = t.trees.worst
+    for at in range(t.bones.sizes[10]):
+        worst[t.trees.acting[at]] = 0.0
+    for at in range(t.bones.sizes[8]):
+        k = t.bones.acting[at]
+        tree = limbs.tree[k]
+        if limbs.miss[k] > worst[tree]:
+            worst[tree] = limbs.miss[k]

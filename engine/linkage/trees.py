@@ -2,9 +2,10 @@
 
 Bodies that are hinged to each other without a ring, and to immovable ones at one place at most,
 form a tree: its root is the immovable one, or the body with most hinges. Each other body is the
-child of one hinge. Hinges are listed by how far they are from the root, the furthest first: trees
-are eliminated from there to the root (`linkage.limbs`), many of them side by side, at a cost in
-proportion to the number of hinges whatever their shape.
+child of one hinge. Hinges are listed by how far they are from the root, the furthest first, and
+those at one place of trees of one shape together: trees are eliminated from there to the root
+(`linkage.limbs`), many of them side by side, at a cost in proportion to the number of hinges
+whatever their shape.
 """
 
 import math
@@ -13,6 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from engine.linkage.geometry import POINT
+from engine.linkage.limbs import find_runs
 from engine.tables import Bones, Limbs, Tables, Trees, allocate, views
 
 WORLD = -1
@@ -95,13 +97,13 @@ def _children(
 
 def fill_trees(t: Tables, trees: list[Tree], movable: set[int], row_of: dict[int, int]) -> Tables:
     """Fill the tables of all trees; say of each body which bone it is."""
-    order = sorted((limb for tree in trees for limb in tree.limbs), key=lambda x: (-x.depth, x[1:]))
+    order = _in_order(trees)
     roots = {tree.root: number for number, tree in enumerate(trees) if tree.root in movable}
     held = [number for number, tree in enumerate(trees) if tree.root not in movable]
     tree_of_bone = [*(limb.tree for limb in order), *roots.values(), *held]
     bodies = [*(limb.child for limb in order), *roots, *(trees[number].root for number in held)]
     bone_of = {(tree_of_bone[bone], body): bone for bone, body in enumerate(bodies)}
-    bones, limbs = allocate(Bones, max(12, len(bodies))), allocate(Limbs, max(1, len(order)))
+    bones, limbs = allocate(Bones, max(13, len(bodies))), allocate(Limbs, max(1, len(order)))
     sizes = (len(order), len(bodies) - len(held), len(bodies), len(trees))
     np.asarray(bones.sizes)[:4] = sizes
     np.asarray(bones.sizes)[8:12] = (sizes[0], sizes[1], sizes[3], sizes[2])
@@ -124,7 +126,22 @@ def fill_trees(t: Tables, trees: list[Tree], movable: set[int], row_of: dict[int
         for bone in sorted(bone_of[number, limb.child] for limb in tree.limbs):
             limbs.member[place] = bone
             place += 1
-    return t._replace(limbs=views(limbs), bones=views(bones), trees=views(table))
+    t = t._replace(limbs=views(limbs), bones=views(bones), trees=views(table))
+    find_runs(t)
+    return t
+
+
+def _in_order(trees: list[Tree]) -> list[Limb]:
+    """All limbs, the furthest from the root first; those that come first at a depth of their tree,
+    then those that come second, and so on.
+    """
+    placed = []
+    for tree in trees:
+        at: dict[int, int] = {}
+        for limb in sorted(tree.limbs, key=lambda limb: limb[2:]):
+            place = at[limb.depth] = at.get(limb.depth, -1) + 1
+            placed.append((-limb.depth, place, limb.tree, limb))
+    return [limb for *_, limb in sorted(placed)]
 
 
 def _fill_limb(

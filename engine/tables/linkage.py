@@ -270,6 +270,8 @@ class Limbs(NamedTuple):
     given_x: Floats
     """Of that, what the bodies already got."""
     given_y: Floats
+    miss: Floats
+    """How far or how fast the hinge opens, in units of its tolerance, squared."""
     goal_x: Floats
     """Velocity that sweeps give to the hinge of the child past that of the parent (m/s)."""
     goal_y: Floats
@@ -296,10 +298,18 @@ class Bones(NamedTuple):
     """How many limbs, movable bones, bones and trees there are, and whether the limbs are placed
     for the poses in which the bodies are now; how many trees are lost; and whether the limbs are
     resolved for the end of the present part; on how many trees contacts act; and, of those in
-    `acting`, how many are limbs, movable bones, trees and bones (a list of its own)."""
+    `acting`, how many are limbs, movable bones, trees and bones; how many runs there are (a list of
+    its own)."""
     acting: Ints
     """Rows of the bones of trees that take part in the present part of the tick, in the order of
     all; see `linkage.acting` (a list of its own)."""
+    run_first: Ints
+    """Runs of limbs that act, rows one after another, whose parents are so, too (a list of its own,
+    as the next two): the first row,"""
+    run_end: Ints
+    """the row after the last,"""
+    run_lead: Ints
+    """and how far behind each limb its parent is: beyond the run."""
     mass: Floats
     """(kg)"""
     inverse_mass: Floats
