@@ -25,7 +25,7 @@ def place_tree(t: Tables, tree: int, time: float) -> None:
     for at in range(first, end):
         k = limbs.member[at]
         place_limb(t, k, limbs.parent[k])
-        eliminate(t, k)
+        eliminate(t, k, k + 1)
         bear(t, k, limbs.parent[k])
 
 

@@ -142,8 +142,7 @@ def resolve(t: Tables) -> None:
         first = bones.run_first[run]
         end = bones.run_end[run]
         lead = bones.run_lead[run]
-        for k in range(first, end):
-            eliminate(t, k)
+        eliminate(t, first, end)
         for k in range(first, end):
             bear(t, k, k + lead)
 
@@ -158,7 +157,7 @@ def resolve_tree(t: Tables, tree: int) -> None:
     for at in range(first, end):
         load_alone(t, member[at])
     for at in range(first, end):
-        eliminate(t, member[at])
+        eliminate(t, member[at], member[at] + 1)
         bear(t, member[at], parent[member[at]])
 
 
@@ -176,38 +175,39 @@ def load_alone(t: Tables, bone: int) -> None:
     bones.ty[bone] = 0.0
 
 
-def eliminate(t: Tables, k: int) -> None:
-    """Find what resists the motion of a hinge."""
+def eliminate(t: Tables, first: int, end: int) -> None:
+    """Find what resists the motion of hinges, from row `first` to before `end`."""
     bones = t.bones
     limbs = t.limbs
-    xx = bones.xx[k]
-    xy = bones.xy[k]
-    yx = bones.yx[k]
-    yy = bones.yy[k]
-    x = limbs.reach_x[k]
-    y = limbs.reach_y[k]
-    lean_x = bones.xt[k] + xx * y - xy * x
-    lean_y = bones.yt[k] + yx * y - yy * x
-    turning = bones.tt[k] + bones.tx[k] * y - bones.ty[k] * x
-    x = limbs.arm_x[k]
-    y = limbs.arm_y[k]
-    turning += lean_x * y - lean_y * x
-    ease = 1.0 / turning if bones.inverse_inertia[k] > 0.0 and turning > 0.0 else 0.0
-    sway_x = (bones.tx[k] + xx * y - yx * x) * ease
-    sway_y = (bones.ty[k] + xy * y - yy * x) * ease
-    xx -= lean_x * sway_x
-    xy -= lean_x * sway_y
-    yx -= lean_y * sway_x
-    yy -= lean_y * sway_y
-    limbs.ease[k] = ease
-    limbs.sway_x[k] = sway_x
-    limbs.sway_y[k] = sway_y
-    limbs.lean_x[k] = lean_x * ease
-    limbs.lean_y[k] = lean_y * ease
-    limbs.xx[k] = xx
-    limbs.xy[k] = xy
-    limbs.yx[k] = yx
-    limbs.yy[k] = yy
+    for k in range(first, end):
+        xx = bones.xx[k]
+        xy = bones.xy[k]
+        yx = bones.yx[k]
+        yy = bones.yy[k]
+        x = limbs.reach_x[k]
+        y = limbs.reach_y[k]
+        lean_x = bones.xt[k] + xx * y - xy * x
+        lean_y = bones.yt[k] + yx * y - yy * x
+        turning = bones.tt[k] + bones.tx[k] * y - bones.ty[k] * x
+        x = limbs.arm_x[k]
+        y = limbs.arm_y[k]
+        turning += lean_x * y - lean_y * x
+        ease = 1.0 / turning if bones.inverse_inertia[k] > 0.0 and turning > 0.0 else 0.0
+        sway_x = (bones.tx[k] + xx * y - yx * x) * ease
+        sway_y = (bones.ty[k] + xy * y - yy * x) * ease
+        xx -= lean_x * sway_x
+        xy -= lean_x * sway_y
+        yx -= lean_y * sway_x
+        yy -= lean_y * sway_y
+        limbs.ease[k] = ease
+        limbs.sway_x[k] = sway_x
+        limbs.sway_y[k] = sway_y
+        limbs.lean_x[k] = lean_x * ease
+        limbs.lean_y[k] = lean_y * ease
+        limbs.xx[k] = xx
+        limbs.xy[k] = xy
+        limbs.yx[k] = yx
+        limbs.yy[k] = yy
 
 
 def bear(t: Tables, k: int, parent: int) -> None:
