@@ -136,3 +136,56 @@ def test_slow_trees_take_long_parts_and_fast_ones_short() -> None:
             world.step()
         now = world.kinetic_energy + world.potential_energy
         assert now == pytest.approx(start, abs=2e-4 * (1 + spin * spin / 6))
+
+
+def runs_of(world: World) -> list[tuple[int, int, int]]:
+    """First row, row after the last, and lead of each run."""
+    bones = world.tables.bones
+    columns = bones.run_first, bones.run_end, bones.run_lead
+    return [tuple(column[run] for column in columns) for run in range(bones.sizes[12])]
+
+
+def test_the_same_hinge_of_trees_of_one_shape_is_a_run() -> None:
+    world = World()
+    for tree in range(5):
+        root = world.add(Circle(0.1), position=(3.0 * tree, 0.0))
+        for side in (-1, 1):  # two limbs of two hinges each
+            above = root
+            for link in (1, 2):
+                at = (3.0 * tree + side * link, 0.0)
+                body = world.add(Circle(0.1), position=at)
+                world.join(above, body, Pin(at=at))
+                above = body
+    world.store.order_joints()
+    # The hands, then each arm: both are hinged to the root.
+    assert [end - first for first, end, _ in runs_of(world)] == [10, 5, 5]
+
+
+@pytest.mark.parametrize("held", [False, True])
+def test_no_limb_of_a_run_depends_on_another(held: bool) -> None:
+    world, _ = sprawl(40, held, 5)
+    world.store.order_joints()
+    parent, count = world.tables.limbs.parent, world.tables.bones.sizes[0]
+    rows = [k for first, end, _ in runs_of(world) for k in range(first, end)]
+    assert rows == list(range(count))
+    for first, end, lead in runs_of(world):
+        assert [parent[k] for k in range(first, end)] == [k + lead for k in range(first, end)]
+        assert parent[first] >= end
+
+
+def test_many_chains_swing_as_one() -> None:
+    def swung(chains: int) -> list[tuple[float, float, float]]:
+        world, links = World(gravity=(0, -9.81)), []
+        for x in range(chains):
+            above = None
+            for link in range(6):
+                body = world.add(Circle(0.05), position=(link + 0.5, 0.0), group=1)
+                world.join(above, body, Pin(at=(float(link), 0.0)))
+                above = body
+                if x == 0:
+                    links.append(body)
+        for _ in range(40):
+            world.step(1 / 60)
+        return [(link.x, link.y, link.angle) for link in links]
+
+    assert swung(1) == swung(9)
