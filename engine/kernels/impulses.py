@@ -4,6 +4,12 @@ from engine.kernels.books import book_impact
 from engine.kernels.touches import note_impact
 from engine.tables import Tables
 
+ALIKE = 1e-12
+"""Two points are alike if the determinant of their equations is no larger a share of k11 k22."""
+
+WEDGED = 1e-9
+"""The same for two that joints hold such that what stops one drives the other by as much."""
+
 
 def approach(t: Tables, pair: int, point: int) -> float:
     """Speed along the normal with which the two bodies approach at a point of `Touch` (m/s)."""
@@ -57,9 +63,10 @@ def split(k11: float, k12: float, k22: float, v1: float, v2: float) -> tuple[flo
     k11 p1 + k12 p2 = v1 and k12 p1 + k22 p2 = v2 (1/kg, m/s).
     """
     determinant = k11 * k22 - k12 * k12
-    if k12 > 0.0 and determinant <= 1e-12 * k11 * k22:  # hardly turn: both are alike
-        return 0.5, v1 / k12
-    if determinant <= 0.0:
+    if k12 > 0.0:
+        if determinant <= ALIKE * k11 * k22:
+            return 0.5, v1 / k12
+    elif determinant <= WEDGED * k11 * k22:  # no push on both does more
         return 0.0, v1 / k11
     p1 = (k22 * v1 - k12 * v2) / determinant
     p2 = (k11 * v2 - k12 * v1) / determinant

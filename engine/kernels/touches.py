@@ -50,9 +50,14 @@ def note_impact(t: Tables, pair: int, x: float, y: float, jx: float, jy: float) 
 
 def impulses_of(t: Tables, pair: int) -> tuple[float, float]:
     """The impulse that stands in `Contacts` for a pair, along its normal and tangent (N s)."""
+    return impulses_at(t, pair, t.pairs.points[pair])
+
+
+def impulses_at(t: Tables, pair: int, points: int) -> tuple[float, float]:
+    """The impulse of so many points of a pair, along its normal and tangent (N s)."""
     push = 0.0
     rub = 0.0
-    for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
+    for row in range(2 * pair, 2 * pair + points):
         push += t.contacts.normal_impulse[row]
         rub += t.contacts.tangent_impulse[row]
     return push, rub
@@ -60,8 +65,13 @@ def impulses_of(t: Tables, pair: int) -> tuple[float, float]:
 
 def collect(t: Tables, pair: int, share: float) -> None:
     """Add a share of the impulse that stands in `Contacts` to that of the tick."""
+    collect_of(t, pair, t.pairs.points[pair], share)
+
+
+def collect_of(t: Tables, pair: int, points: int, share: float) -> None:
+    """The same of so many points."""
     pairs = t.pairs
-    push, rub = impulses_of(t, pair)
+    push, rub = impulses_at(t, pair, points)
     pairs.given_x[pair] += share * (push * pairs.normal_x[pair] - rub * pairs.normal_y[pair])
     pairs.given_y[pair] += share * (push * pairs.normal_y[pair] + rub * pairs.normal_x[pair])
 
@@ -79,9 +89,9 @@ def take_back_all(t: Tables, held: int, share: float) -> None:
 
 
 def take_back(t: Tables, pair: int, share: float) -> None:
-    """Do so for one of them."""
+    """Do so for one of them: of all points that act, whatever impacts made of the pair since."""
     touch(t, pair)
-    collect(t, pair, -share)
+    collect_of(t, pair, t.pairs.acting[pair], -share)
 
 
 def part_with(t: Tables, pair: int) -> None:

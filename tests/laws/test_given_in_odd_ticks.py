@@ -1,10 +1,23 @@
 """Contacts give what bodies gain, and books close, in ticks that are out of the ordinary."""
 
+import itertools
 import math
 
 import pytest
 
-from engine import Body, Box, Capsule, Chain, Circle, Compound, Pin, Polygon, World
+from engine import (
+    Body,
+    Box,
+    Capsule,
+    Chain,
+    Circle,
+    Compound,
+    Pin,
+    Polygon,
+    QuadraticDrag,
+    Wall,
+    World,
+)
 
 DT = 1 / 60
 MM = 1e-3
@@ -81,4 +94,39 @@ def test_a_floor_that_begins_to_turn_works_through_rolling_resistance_too() -> N
         world.step(DT)
     books = world.ledger()
     assert books.work.walls > 0.1
+    assert books.energy_error == pytest.approx(0.0, abs=1e-12)
+
+
+def test_a_contact_that_bounces_off_and_comes_to_rest_again_within_a_part() -> None:
+    """It has no points then; of what it was to give, more was taken for given than was."""
+    world = World(gravity=(0, -0.981), integrator="rk4", substeps=1)
+    world.add(Wall((-1.2, 0), (1.2, 0)), restitution=0.3)
+    world.add(Polygon.regular(4, 0.017962433419505024), position=(0.12, 0.05), friction=0.5)
+    world.add(
+        Polygon.regular(3, 0.05936179635720206), position=(0.12, 0.17), restitution=0.2,
+        friction=0.8980123923788823, rolling_resistance=0.002,
+    )  # fmt: skip
+    r, s = 0.07097938173339198, 0.028391752693356795
+    angle = Polygon.concave([(0, 0), (r, 0), (r, s), (s, s), (s, r), (0, r)])
+    world.add(angle, position=(0.12, 0.29), friction=0.5)
+    assert lacks(world, 40, -0.981) < 1e-12
+
+
+def test_links_that_meet_face_to_face_across_their_hinge_are_not_driven_apart() -> None:
+    """What stops one corner drives the other: the equations of both have no answer, or any."""
+    world = World(
+        gravity=(0, -9.81), integrator="velocity-verlet", substeps=2, drag=QuadraticDrag(0.1)
+    )
+    world.add(Wall((-4, 0), (4, 0)), friction=1.0, restitution=0.3)
+    links = [
+        world.add(Box(0.8, 0.25), position=(0.8 * i, 0.2), friction=f, restitution=e)
+        for i, (f, e) in enumerate(
+            [(0.0, 0.0), (0.669234631882315, 0.2), (0.7760101371266445, 1.0)]
+        )
+    ]
+    for a, b in itertools.pairwise(links):
+        world.join(a, b, Pin((b.x - 0.4, 0.2)), collide=True)
+    hits = [hit for _ in range(20) for hit in world.step(1 / 30)]
+    assert max(math.hypot(*hit.impulse) for hit in hits) < 3.0
+    books = world.ledger()
     assert books.energy_error == pytest.approx(0.0, abs=1e-12)
