@@ -28,7 +28,7 @@ from engine.kernels.steady import (
     watch,
 )
 from engine.kernels.sticking import cluster_of
-from engine.kernels.touches import take_back
+from engine.kernels.touches import collect, touch
 from engine.linkage.acting import list_acting
 from engine.linkage.limb_impulses import forget_jolts
 from engine.linkage.limb_sweeps import book_even
@@ -204,7 +204,8 @@ def end_steadily(
         hand_on(t, count, waiting, share)
         for k in range(waiting):  # what let go has been given its share
             if t.pairs.state[t.pairs.waiting[k]] == RESTING:
-                take_back(t, t.pairs.waiting[k], 1.0 - share)
+                touch(t, t.pairs.waiting[k])
+                collect(t, t.pairs.waiting[k], share - 1.0)
         correct_arms(t, waiting, count, t.impacts.written[0], 0.0, dt, now)
     if steadiness != RELYING or now < dt:
         still = relax(t, waiting, count, dt, share, True)

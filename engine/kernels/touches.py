@@ -83,15 +83,13 @@ def collect_last_part(t: Tables, pair: int) -> None:
 
 
 def take_back_all(t: Tables, held: int, share: float) -> None:
-    """Take back a share of the impulses of pairs that rest, as their part was cut short."""
+    """Take back a share of the impulses of pairs that rest, as their part was cut short: of all
+    points that act, whatever impacts made of the pair since.
+    """
     for k in range(held):
-        take_back(t, t.pairs.resting[k], share)
-
-
-def take_back(t: Tables, pair: int, share: float) -> None:
-    """Do so for one of them: of all points that act, whatever impacts made of the pair since."""
-    touch(t, pair)
-    collect_of(t, pair, t.pairs.acting[pair], -share)
+        pair = t.pairs.resting[k]
+        touch(t, pair)
+        collect_of(t, pair, t.pairs.acting[pair], -share)
 
 
 def part_with(t: Tables, pair: int) -> None:
