@@ -31,6 +31,9 @@ MOST_STEPS = 40
 STRIDE = 0.25
 """Longest step, in reaches of the smaller body (rad)."""
 
+FAILED = 1e-8
+"""Steps that leave a larger miss, in the same unit, have found no solution."""
+
 MOST_CHANGES = 12
 """How often limits and motors may change their minds in a part. A limit begins, and a strained
 motor ends, only where everything else is solved; else they would chase each other."""
@@ -100,22 +103,27 @@ def bind(t: Tables, part: float) -> float:
         if fresh:
             renew(t, part)
             changes += 1
-    if worst > STRIDE:
+    if worst > FAILED:
         give_up(t)
     deliver(t)
     return failed
 
 
 def give_up(t: Tables) -> None:
-    """Take all steps back, as they led nowhere: bodies fly on, which gains no energy."""
+    """Take back all that was lent, as it led nowhere: bodies fly on, which gains no energy.
+
+    So it is where links are pulled straight between two fixed points, and something pushes them
+    aside: no impulse keeps them as long as they are. At the end of the part their velocities obey.
+    """
     equations = t.equations
     nodes = t.nodes
-    for row in range(t.braces.sizes[2]):
-        equations.impulse[row] -= equations.total[row]
     for node in range(1, t.braces.sizes[1]):
         nodes.lent_x[node] = 0.0
         nodes.lent_y[node] = 0.0
         nodes.lent_spin[node] = 0.0
+    for row in range(t.braces.sizes[2]):  # what the steps added has not been delivered
+        lend(t, row, equations.total[row] - equations.impulse[row])
+        equations.impulse[row] = 0.0
 
 
 def shorten(t: Tables, share: float) -> None:
