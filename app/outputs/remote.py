@@ -186,12 +186,14 @@ def _shared(pixels: Pixels, film: Film) -> tuple[int, Pixels]:
     """
     memory, shape = _memory(), (film.height, film.width)
     place = memory.place(pixels) if pixels.shape == shape else None
-    while place is None:
-        copy = memory.new(shape)
-        copy[:] = pixels
-        copy.flags.writeable = False
-        place, pixels = memory.place(copy), copy
-    return place, pixels
+    if place is not None:
+        return place, pixels
+    copy = memory.new(shape)
+    copy[:] = pixels
+    copy.flags.writeable = False
+    place = memory.place(copy)
+    assert place is not None
+    return place, copy
 
 
 _idle: list[WorkerProcess] = []

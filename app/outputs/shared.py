@@ -58,15 +58,17 @@ class Memory:
         size = -(-4 * height * width // mmap.ALLOCATIONGRANULARITY) * mmap.ALLOCATIONGRANULARITY
         with self._lock:
             self._collect()
-            free = self._free.get(size)
-            place = free.pop() if free else self._end
-            if place == self._end:
+            free = self._free.setdefault(size, [])
+            place = free[-1] if free else self._end
+            if not free:
                 os.ftruncate(self.descriptor, place + size)
+            mapped = mmap.mmap(self.descriptor, size, offset=place)
+            if free:  # only now, as there may be no room to map it
+                free.pop()
+            else:
                 self._end += size
             self._sizes[place] = size
-            flat = np.frombuffer(
-                mmap.mmap(self.descriptor, size, offset=place), np.uint32, height * width
-            )
+            flat = np.frombuffer(mapped, np.uint32, height * width)
             address = _address(flat)
             self._places[address] = place
         # Whoever holds a part of it, or sees it otherwise, keeps this very array alive.

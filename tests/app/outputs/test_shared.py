@@ -86,6 +86,25 @@ def test_the_memory_of_the_last_picture_is_given_back(memory: Memory) -> None:
     assert painted(memory, 9)[0] == 0
 
 
+def test_where_there_is_no_room_no_place_is_lost(
+    memory: Memory, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    place, pixels = painted(memory, 1)
+    _, held = painted(memory, 2)
+    del pixels
+
+    def no_room(*_: object, **__: object) -> None:
+        raise OSError("Cannot allocate memory")
+
+    with monkeypatch.context() as patch:
+        patch.setattr("app.outputs.shared.mmap.mmap", no_room)
+        with pytest.raises(OSError, match="Cannot allocate"):
+            memory.new(SHAPE)
+    assert painted(memory, 3)[0] == place
+    del held
+    assert size(memory) == 0
+
+
 def test_a_picture_comes_back_once_nobody_holds_it(memory: Memory) -> None:
     pictures = [painted(memory, value) for value in range(2)]
     lender = Lender(memory.descriptor, FILM)
