@@ -27,6 +27,7 @@ LAYOUT = (
     "tables.bodies",
     "tables.pairs",
     "tables.lanes",
+    "tables.limbs",
     "tables.linkage",
     "tables.world",
 )

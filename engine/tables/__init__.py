@@ -21,17 +21,15 @@ from engine.tables.columns import (
     views,
 )
 from engine.tables.lanes import LANES, Lanes
+from engine.tables.limbs import Bones, Limbs, Trees
 from engine.tables.linkage import (
     Arms,
-    Bones,
     Braces,
     Couplings,
     Equations,
     Joints,
-    Limbs,
     Nodes,
     Profile,
-    Trees,
 )
 from engine.tables.pairs import (
     FREE,

@@ -6,17 +6,15 @@ from typing import NamedTuple
 from engine.tables.bodies import Bodies, Corners, Fields, Materials, Pieces, Pushes
 from engine.tables.columns import Floats, Ints, allocate, views
 from engine.tables.lanes import Lanes
+from engine.tables.limbs import Bones, Limbs, Trees
 from engine.tables.linkage import (
     Arms,
-    Bones,
     Braces,
     Couplings,
     Equations,
     Joints,
-    Limbs,
     Nodes,
     Profile,
-    Trees,
 )
 from engine.tables.pairs import (
     IMPACTS_AT_ONCE,
