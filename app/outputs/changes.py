@@ -8,6 +8,10 @@ from numpy.typing import NDArray
 from app.frames import Pixels
 
 
+GAP = 48
+"""Columns that are as well taken along as left out: a box of their own would cost more."""
+
+
 class Box(NamedTuple):
     """An upright rectangle of pixels: the first row and column inside, and those just outside."""
 
@@ -62,21 +66,30 @@ def bands(before: Pixels, now: Pixels, height: int) -> list[Box]:
     """What differs in each band of `height` rows, or in a row next to it: boxes from the top.
 
     A box is as high as its band, the last of which may be lower, and its sides are even. Where
-    nothing differs there is none. The pictures are C-contiguous and of one size, of even width.
+    nothing differs for more than `GAP` columns one box ends and another begins. The pictures are
+    C-contiguous and of one size, of even width.
     """
-    rows, half = before.shape[0], before.shape[1] // 2
+    rows, half, gap = before.shape[0], before.shape[1] // 2, GAP // 2
     tops = range(0, rows, height)
     differs = np.zeros((len(tops), height, half), np.bool_)
     np.not_equal(_paired(before), _paired(now), out=differs.reshape(-1, half)[:rows])
-    columns: NDArray[np.bool_] = np.logical_or.reduce(differs, axis=1)
-    columns[1:] |= differs[:-1, -1]
-    columns[:-1] |= differs[1:, 0]
-    first, last = columns.argmax(axis=1), columns[:, ::-1].argmax(axis=1)
-    return [
-        Box(top, 2 * int(first[band]), min(top + height, rows), 2 * (half - int(last[band])))
-        for band, top in enumerate(tops)
-        if columns[band, first[band]]
-    ]
+    # Behind each band a gap, so that no box reaches from one into the next.
+    row = half + gap
+    columns = np.zeros((len(tops), row), np.bool_)
+    inside = columns[:, :half]
+    np.logical_or.reduce(differs, axis=1, out=inside)
+    inside[1:] |= differs[:-1, -1]
+    inside[:-1] |= differs[1:, 0]
+    found = np.flatnonzero(columns)
+    (ends,) = np.nonzero(np.diff(found, append=columns.size + row) > gap)
+    boxes, begin = [], 0
+    for end in ends.tolist():
+        band, first = divmod(int(found[begin]), row)
+        last = int(found[end]) - band * row
+        top = tops[band]
+        boxes.append(Box(top, 2 * first, min(top + height, rows), 2 * (last + 1)))
+        begin = end + 1
+    return boxes
 
 
 def _paired(pixels: Pixels) -> NDArray[Any]:
