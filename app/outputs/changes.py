@@ -7,7 +7,6 @@ from numpy.typing import NDArray
 
 from app.frames import Pixels
 
-
 GAP = 48
 """Columns that are as well taken along as left out: a box of their own would cost more."""
 

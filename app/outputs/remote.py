@@ -76,8 +76,11 @@ class Remote:
             raise
 
     def frame(self, frame: Frame) -> None:
-        """Hand on the next picture; wait while too many are waiting."""
-        while len(self._lent) >= self._most:
+        """Hand on the next picture; wait while too many are waiting.
+
+        An encoder that has answered all it was asked needs the next before it is done with others.
+        """
+        while len(self._lent) >= self._most and self._worker.owes:
             for place in self._worker.hear():
                 del self._lent[[at for at, _ in self._lent].index(place)]
         place, pixels = _shared(frame.pixels, self._film)

@@ -17,8 +17,9 @@ from app.frames import Film, Pixels
 AVAILABLE = os.name == "posix"
 """Whether processes can share memory by its descriptor."""
 
-FEWEST = 3
-"""Pictures of which an encoder may always be behind: it may hold one while it is given the next."""
+FEWEST = 4
+"""Pictures of which an encoder may always be behind: video holds three until it is given the next.
+"""
 
 MOST = 5
 """More smooth nothing and cost memory: 3.7 MB each at 720x1280."""
