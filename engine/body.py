@@ -8,6 +8,7 @@ from engine import filters, kinds, materials, validate
 from engine.collision import Collision
 from engine.forces import Force, Push, Torque, components
 from engine.inputs import noted, noted_only
+from engine.pair_rows import measure_anew
 from engine.settings import AS_FRICTION
 from engine.shapes import Barrier, Chain, Particle, Shape, Wall, outlines
 from engine.vector import Vector
@@ -181,6 +182,7 @@ class Body:
         inertia = bodies.inertia[row] * (new / bodies.mass[row])
         bodies.mass[row], bodies.inverse_mass[row] = new, 1.0 / new
         bodies.inertia[row], bodies.inverse_inertia[row] = inertia, 1.0 / inertia
+        measure_anew(self._world.tables, row)
 
     @property
     def inertia(self) -> float:

@@ -13,6 +13,9 @@ RESTING_STATE = (
 )  # fmt: skip
 """Columns of `Pairs` that tell two worlds apart where pairs rest."""
 
+FAR = 1e9
+"""A drift (m) after which the points of any contact are found anew."""
+
 
 def mix_by_rules(t: Tables, restitution: Rule, friction: Rule) -> None:
     """Give each pair its coefficients by the rules of the world.
@@ -57,6 +60,13 @@ def forget(t: Tables, pair_count: int, row: int) -> int:
         rows = np.asarray(column)[: len(kept)]
         rows[rows >= last] -= pieces
     return len(kept)
+
+
+def measure_anew(t: Tables, row: int) -> None:
+    """Let the contacts of a body be measured before they act again: its mass changed."""
+    for pair in range(t.counts.pairs[0]):
+        if row in (t.pairs.a[pair], t.pairs.b[pair]):
+            t.pairs.drift[pair] = FAR
 
 
 def resting_columns(t: Tables, pair_count: int) -> list[Any]:

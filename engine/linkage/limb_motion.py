@@ -118,6 +118,9 @@ def bind_limbs(t: Tables, part: float) -> float:
         renewing = t.bones.sizes[6] == 0 or step >= CHORDS
         measure_limbs(t, renewing)
         if step == 0:
+            if expect_nothing_far(t):
+                bend(t)
+                measure_limbs(t, renewing)
             failed = note_first(t)
         going, alike, sure = choose_steps(t, renewing)
         if going == 0 and step == 0:
@@ -144,6 +147,33 @@ def bind_limbs(t: Tables, part: float) -> float:
     lend_all(t)
     deliver_starts(t)
     return math.sqrt(failed) / part
+
+
+def expect_nothing_far(t: Tables) -> bool:
+    """Take back what was expected of trees that it leads further than the longest step; return
+    whether there are any.
+
+    What begins far from free flight may find another solution, bent the other way, with energy from
+    nowhere.
+    """
+    limbs = t.limbs
+    trees = t.trees
+    far = False
+    for i in range(t.bones.sizes[10]):
+        tree = trees.acting[i]
+        if trees.worst[tree] > STRIDE * STRIDE and trees.evenly[tree] == 0:
+            first = trees.first[tree]
+            for at in range(first, first + trees.limbs[tree]):
+                k = limbs.member[at]
+                if limbs.impulse_x[k] != 0.0 or limbs.impulse_y[k] != 0.0:
+                    limbs.impulse_x[k] = 0.0
+                    limbs.impulse_y[k] = 0.0
+                    far = True
+    if far:
+        lend_all(t)
+        deliver_starts(t)
+        read_means(t)
+    return far
 
 
 def withdraw_lost(t: Tables) -> int:
