@@ -117,13 +117,7 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
         few = PRESSING if most == MOST_SWEEPS else most
         sweep_groups(t, resting, most, few, CALM, CALM, early, True)
     else:
-        for i in range(1, most + 1):
-            found = sweep_all(t, resting, CALM, i % 2 == 0)
-            failed = bind(t, part)
-            if has_settled(found, gives_up and i == WILD_SWEEPS) and (
-                resting == 0 or failed <= CALM
-            ):
-                break
+        press(t, resting, part, most, gives_up)
     bind_limbs(t, part)
     keep_impulses(t, part)
     for row in range(count):
@@ -132,6 +126,26 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
             bodies.path_y[row] = (bodies.kick_y[row] - bodies.vy[row]) / part
             bodies.path_spin[row] = (bodies.kick_spin[row] - bodies.spin[row]) / part
             note_part(bodies, row)
+
+
+def press(t: Tables, resting: int, part: float, most: int, gives_up: bool) -> None:
+    """Sweep over contacts, `most` times at most, and let joints hold at the end of the part (s)
+    each time; for the wild that are left as they are see `has_settled`.
+
+    Where joints find no solution, contacts are swept again without: what held them was not there.
+    """
+    swept = 0
+    while swept < most:
+        swept += 1
+        bound = t.braces.sizes[7] == 0
+        found = sweep_all(t, resting, CALM, swept % 2 == 0)
+        failed = bind(t, part)
+        if bound and t.braces.sizes[7] == 1 and t.braces.sizes[0] > 0:
+            swept = 0
+        elif has_settled(found, gives_up and swept == WILD_SWEEPS) and (
+            resting == 0 or failed <= CALM
+        ):
+            return
 
 
 def is_crowd(t: Tables, resting: int, violent: bool) -> bool:

@@ -8,7 +8,7 @@ The rows of the four shapes, with the anchors p_a and p_b, d = p_b - p_a:
 - STRING: |p_a - o_a| + ratio |p_b - o_b|, for two points o over which a string runs.
 
 Every impulse acts on both bodies at one common point or along one line, so that angular momentum
-is kept to rounding even where the constraint is not met exactly.
+is kept to rounding even where the constraint is not met exactly, unless it is torn (`TORN`).
 """
 
 import math
@@ -19,6 +19,10 @@ POINT, SLIDE, LINE, STRING = 0, 1, 2, 3
 
 WORLD = 0
 """Row of the world in `Nodes`."""
+
+TORN = 0.5
+"""A POINT that gapes by more, in reaches of the smaller body, as hands tear it, pulls at both
+anchors instead of halfway between them, where levers are so long that it would throw the bodies."""
 
 
 def place_nodes(t: Tables, ahead: float) -> None:
@@ -134,8 +138,12 @@ def aim_point(t: Tables, brace: int) -> None:
     b = t.braces.node_b[brace]
     a_x, a_y = arm_of_a(t, brace)
     b_x, b_y = arm_of_b(t, brace)
-    half_x = ((nodes.x[b] + b_x) - (nodes.x[a] + a_x)) / 2.0
-    half_y = ((nodes.y[b] + b_y) - (nodes.y[a] + a_y)) / 2.0
+    gap_x = (nodes.x[b] + b_x) - (nodes.x[a] + a_x)
+    gap_y = (nodes.y[b] + b_y) - (nodes.y[a] + a_y)
+    most = TORN * t.joints.size[t.braces.joint[brace]]
+    share = 0.5 if gap_x * gap_x + gap_y * gap_y <= most * most else 0.0
+    half_x = gap_x * share
+    half_y = gap_y * share
     a_x += half_x
     a_y += half_y
     b_x -= half_x

@@ -31,7 +31,7 @@ from engine.linkage.limbs import (
     stand,
     stands,
 )
-from engine.linkage.modes import TIGHT
+from engine.linkage.modes import CLOSING, TIGHT
 from engine.tables import Tables
 
 MOST_STEPS = 40
@@ -79,6 +79,7 @@ def brace_limbs(t: Tables, part: float) -> None:
     place_even(t, part)
     for at in range(t.bones.sizes[8]):
         k = t.bones.acting[at]
+        close_slowly(t, k, part)
         if t.trees.evenly[t.limbs.tree[k]] == 1:
             expect_evenly(t, k, part)
         else:
@@ -87,6 +88,19 @@ def brace_limbs(t: Tables, part: float) -> None:
     deliver_starts(t)
     if t.bones.sizes[7] > 0:
         aim_sweeps(t, True)
+
+
+def close_slowly(t: Tables, k: int, part: float) -> None:
+    """Let a placed limb that was torn apart close in the part (s) no faster than all joints do."""
+    limbs = t.limbs
+    x = limbs.gap_x[k]
+    y = limbs.gap_y[k]
+    most = CLOSING * part
+    square = (x * x + y * y) * limbs.scale[k]
+    if square > most * most:
+        share = most / math.sqrt(square)
+        limbs.gap_x[k] = x * share
+        limbs.gap_y[k] = y * share
 
 
 def expect_impulse(t: Tables, k: int, part: float) -> None:

@@ -22,6 +22,7 @@ that in each loop all rows are one after another: a processor does several at on
 
 import math
 
+from engine.linkage.geometry import TORN
 from engine.tables import Tables
 
 
@@ -125,8 +126,9 @@ def place_limb(t: Tables, k: int, parent: int) -> None:
     limbs.base_y[k] = base_y
     limbs.gap_x[k] = gap_x
     limbs.gap_y[k] = gap_y
-    half_x = gap_x / 2.0
-    half_y = gap_y / 2.0
+    share = 0.5 if (gap_x * gap_x + gap_y * gap_y) * limbs.scale[k] <= TORN * TORN else 0.0
+    half_x = gap_x * share
+    half_y = gap_y * share
     limbs.arm_x[k] = limbs.reach_x[k] = tip_x - half_x
     limbs.arm_y[k] = limbs.reach_y[k] = tip_y - half_y
     limbs.lever_x[k] = limbs.span_x[k] = base_x + half_x

@@ -12,6 +12,10 @@ from engine.tables.linkage import AT_HIGH, AT_LOW, DRIVEN, ELASTIC, FIXED, FREE_
 TIGHT = 1e-9
 """Constraints hold to this share of the smaller body's reach (angles: rad)."""
 
+CLOSING = 2.0
+"""Joints that gape, as they were torn apart by hand or found no solution, close no faster, in
+reaches of the smaller body a second (1/s; angles: rad/s): that would throw the bodies."""
+
 
 def coordinate_row(t: Tables, brace: int) -> int:
     """The row of a joint's coordinate; -1 if it is free and has none."""
@@ -58,16 +62,30 @@ def next_mode(t: Tables, joint: int, row: int, part: float, slack: float) -> int
     return mode
 
 
-def miss_of_mode(t: Tables, joint: int, row: int, part: float) -> float:
-    """By how much the coordinate misses its goal at the end of the part (m or rad)."""
+def miss_of_mode(t: Tables, joint: int, row: int, part: float, most: float) -> float:
+    """By how much the coordinate misses its goal at the end of the part (m or rad).
+
+    What was beyond its limit when the part began comes closer by `most` in the part.
+    """
     joints = t.joints
     mode = joints.mode[joint]
     value = t.equations.value[row]
-    if mode == AT_HIGH:
-        return value - joints.high[joint]
+    start = t.equations.start[row]
     if mode == DRIVEN:
-        return value - t.equations.start[row] - joints.speed[joint] * part
-    return value - joints.low[joint]
+        return value - start - joints.speed[joint] * part
+    if mode == AT_HIGH:
+        high = joints.high[joint]
+        return value - high - (left_over(start - high, most) if start > high else 0.0)
+    low = joints.low[joint]
+    beyond = start < low or mode == FIXED
+    return value - low - (left_over(start - low, most) if beyond else 0.0)
+
+
+def left_over(gap: float, most: float) -> float:
+    """What is left at the end of a part of what gaped when it began, if it may close by `most`."""
+    if gap > most:
+        return gap - most
+    return gap + most if gap < -most else 0.0
 
 
 def bounds(t: Tables, joint: int, effort: float) -> tuple[float, float]:

@@ -106,14 +106,14 @@ def _filled(t: Tables, order: list[Brace], node_of: dict[int, int], movable: set
     for body, node in node_of.items():
         nodes.body[node] = max(body, 0)
     nodes.cos[0] = 1.0
-    braces = allocate(Braces, max(7, len(order)))
+    braces = allocate(Braces, max(8, len(order)))
     for k, brace in enumerate(order):
         braces.joint[k], braces.shape[k] = brace.joint, brace.shape
         braces.node_a[k], braces.node_b[k] = node_of[brace.a], node_of[brace.b]
         braces.first[k], braces.rows[k] = int(starts[k]), brace.rows
     sizes = (len(order), len(node_of), rows, len(couplings), entries)
     coordinates = sum(brace.shape in (LINE, STRING) or brace.rows == 3 for brace in order)
-    np.asarray(braces.sizes)[:7] = (*sizes, 0, coordinates)
+    np.asarray(braces.sizes)[:8] = (*sizes, 0, coordinates, 0)
     table = allocate(Couplings, max(1, len(couplings)))
     for k, (at, left, right) in enumerate(couplings):
         table.at[k], table.left[k], table.right[k] = at, left, right

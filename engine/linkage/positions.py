@@ -13,10 +13,12 @@ from engine.linkage.impulses import add_up, lend, note_impulses, solve_for, take
 from engine.linkage.jolts import jolt_start
 from engine.linkage.limb_motion import brace_limbs, keep_limb_impulses
 from engine.linkage.modes import (
+    CLOSING,
     TIGHT,
     bounds,
     coordinate_row,
     first_mode,
+    left_over,
     miss_of_mode,
     next_mode,
 )
@@ -34,6 +36,12 @@ STRIDE = 0.25
 FAILED = 1e-8
 """Steps that leave a larger miss, in the same unit, have found no solution."""
 
+MOST_TURN = 1.5
+"""A solution that turns a body by more in a part, beyond its own spin, is none (rad)."""
+
+FARTHEST = 1e300
+"""No miss is larger."""
+
 MOST_CHANGES = 12
 """How often limits and motors may change their minds in a part. A limit begins, and a strained
 motor ends, only where everything else is solved; else they would chase each other."""
@@ -47,6 +55,7 @@ def brace(t: Tables, part: float) -> None:
     for node in range(t.braces.sizes[1]):
         t.nodes.sum_x[node] = 0.0
         t.nodes.sum_y[node] = 0.0
+        t.nodes.sum_spin[node] = 0.0
     gather_means(t)
     place_nodes(t, 0.0)
     known = t.braces.sizes[5] == 1 and t.braces.sizes[6] == 0
@@ -57,6 +66,7 @@ def brace(t: Tables, part: float) -> None:
     if not known:
         renew(t, part)
     t.braces.sizes[5] = 0
+    t.braces.sizes[7] = 0
     for row in range(t.braces.sizes[2]):
         lend(t, row, t.equations.impulse[row])
     deliver(t)
@@ -68,11 +78,50 @@ def bind(t: Tables, part: float) -> float:
 
     That speed is in reaches of the smaller body a second (1/s).
     """
-    if t.braces.sizes[0] == 0:
+    if t.braces.sizes[0] == 0 or t.braces.sizes[7] == 1:
         return 0.0
     gather_means(t)
     for row in range(t.braces.sizes[2]):
         t.equations.total[row] = 0.0
+    failed, found = seek(t, part, STRIDE)
+    if failed * part > STRIDE:
+        choose_start(t, part, failed * part)
+        _, found = seek(t, part, FARTHEST)
+    if not found:
+        take_back(t)
+        renew(t, part)
+        _, found = seek(t, part, FARTHEST)
+    if not found:
+        take_back(t)
+        t.braces.sizes[7] = 1
+    deliver(t)
+    return failed
+
+
+def choose_start(t: Tables, part: float, worst: float) -> None:
+    """Begin with nothing, if that misses the goal by less than what acts, which misses by `worst`
+    (reaches of the smaller body).
+    """
+    equations = t.equations
+    for row in range(t.braces.sizes[2]):
+        equations.change[row] = equations.impulse[row]
+    take_back(t)
+    place_nodes(t, part)
+    measure(t)
+    if find_misses(t, part) > worst:
+        for row in range(t.braces.sizes[2]):
+            equations.impulse[row] = equations.change[row]
+            equations.total[row] += equations.change[row]
+            lend(t, row, equations.change[row])
+
+
+def seek(t: Tables, part: float, most: float) -> tuple[float, bool]:
+    """Look for the impulses that do so, from those that act, if these miss by `most` reaches of the
+    smaller body at most; return that speed, and whether they were found.
+
+    A solution far from where the bodies would be without is none: a light link between heavy bodies
+    would be turned over.
+    """
     failed = 0.0
     worst = 0.0
     before = 0.0
@@ -92,6 +141,8 @@ def bind(t: Tables, part: float) -> float:
                 break
         if step == 0:
             failed = worst / part
+            if worst > most:
+                return failed, False
         if worst > before and not fresh:
             step_back(t)
             continue
@@ -103,17 +154,25 @@ def bind(t: Tables, part: float) -> float:
         if fresh:
             renew(t, part)
             changes += 1
-    if worst > FAILED:
-        give_up(t)
-    deliver(t)
-    return failed
+    return failed, worst <= FAILED and not turns_over(t, part)
 
 
-def give_up(t: Tables) -> None:
+def turns_over(t: Tables, part: float) -> bool:
+    """Whether joints turn a body by more than `MOST_TURN` in a part (s)."""
+    nodes = t.nodes
+    for node in range(1, t.braces.sizes[1]):
+        own = t.bodies.spin[nodes.body[node]] - nodes.sum_spin[node]
+        if abs(nodes.spin[node] + nodes.lent_spin[node] - own) * part > MOST_TURN:
+            return True
+    return False
+
+
+def take_back(t: Tables) -> None:
     """Take back all that was lent, as it led nowhere: bodies fly on, which gains no energy.
 
     So it is where links are pulled straight between two fixed points, and something pushes them
-    aside: no impulse keeps them as long as they are. At the end of the part their velocities obey.
+    aside: no impulse keeps them as long as they are. At the end of the part their velocities obey;
+    until then contacts find no hold in joints.
     """
     equations = t.equations
     nodes = t.nodes
@@ -122,8 +181,9 @@ def give_up(t: Tables) -> None:
         nodes.lent_y[node] = 0.0
         nodes.lent_spin[node] = 0.0
     for row in range(t.braces.sizes[2]):  # what the steps added has not been delivered
-        lend(t, row, equations.total[row] - equations.impulse[row])
+        equations.total[row] -= equations.impulse[row]
         equations.impulse[row] = 0.0
+        lend(t, row, equations.total[row])
 
 
 def shorten(t: Tables, share: float) -> None:
@@ -180,6 +240,7 @@ def deliver(t: Tables) -> None:
         jolt_start(t, nodes.body[node], x, y, nodes.lent_spin[node])
         nodes.sum_x[node] += x
         nodes.sum_y[node] += y
+        nodes.sum_spin[node] += nodes.lent_spin[node]
 
 
 def follow_joints(t: Tables, part: float, reached: float) -> None:
@@ -282,12 +343,14 @@ def find_misses(t: Tables, part: float) -> float:
         coordinate = coordinate_row(t, brace)
         first = t.braces.first[brace]
         for row in range(first, first + t.braces.rows[brace]):
+            most = CLOSING * scale_of(t, row, joint) * part
             missed = equations.value[row]
-            if row == coordinate:
-                if t.joints.mode[joint] != ELASTIC:
-                    missed = miss_of_mode(t, joint, row, part)
-                elif equations.solved[row] == 1:
-                    missed = miss(t, row, part)
+            if row != coordinate:
+                missed -= left_over(equations.start[row], most)
+            elif t.joints.mode[joint] != ELASTIC:
+                missed = miss_of_mode(t, joint, row, part, most)
+            elif equations.solved[row] == 1:
+                missed = miss(t, row, part)
             if equations.solved[row] == 0:
                 missed = 0.0
             equations.unknown[row] = -missed / part

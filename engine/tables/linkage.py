@@ -103,8 +103,8 @@ class Braces(NamedTuple):
     rows: Ints
     sizes: Ints
     """How many braces, nodes, equations, couplings and entries there are; whether the system is
-    that of the poses in which the bodies are now; and how many coordinates there are (a list of its
-    own)."""
+    that of the poses in which the bodies are now; how many coordinates there are; and whether no
+    solution was found for the present part (a list of its own)."""
 
 
 class Nodes(NamedTuple):
@@ -131,6 +131,8 @@ class Nodes(NamedTuple):
     sum_x: Floats
     """What joints added at the start of the part in all (m/s)."""
     sum_y: Floats
+    sum_spin: Floats
+    """(rad/s)"""
 
 
 class Equations(NamedTuple):
