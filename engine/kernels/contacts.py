@@ -17,6 +17,7 @@ from engine.kernels.following import (
     has_drifted,
     share_of_b,
     turning,
+    weigh_if_racing,
 )
 from engine.kernels.packing import load_points, pack, pack_again, unload
 from engine.kernels.sweeps import QUIET, WILD, warm_start
@@ -233,6 +234,7 @@ def follow_to_end(t: Tables, resting: int, part: float, packed: bool) -> int:
                 collect(t, pair, 1.0)  # along the normal as it was
                 find_points(t, pair, 0.0)
                 collect(t, pair, -1.0)
+            weigh_if_racing(t, pair)
             stiffen(t, pair, part)
             if row >= 0:
                 load_points(t, pair, row)

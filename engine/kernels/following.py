@@ -33,6 +33,10 @@ ASKEW = 0.05
 """Share of their speeds by which bodies may close faster than a contact says that was measured
 some time before in the same part."""
 
+RACING = 0.1
+"""Bodies that moved over each other by more within a part have other effective masses than when
+their points were found, in the same unit as `DRIFT`: sweeps with the old ones would diverge."""
+
 BURIED = 1e-3
 """Distance of the centres of two discs that counts as none, in reaches of the smaller one."""
 
@@ -174,6 +178,15 @@ def share_of_b(t: Tables, pair: int) -> float:
     return 0.5
 
 
+def weigh_if_racing(t: Tables, pair: int) -> None:
+    """Set the effective masses of a pair anew, if it moved far since its points were found."""
+    if t.pairs.drift[pair] > RACING * t.pairs.size[pair]:
+        a = t.pairs.a[pair]
+        b = t.pairs.b[pair]
+        for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
+            weigh(t, a, b, row)
+
+
 def find_points(t: Tables, pair: int, time: float) -> None:
     """Find by geometry where the bodies touch at `time` of the present part (s), their middle pose.
 
@@ -251,6 +264,17 @@ def measure(t: Tables, pair: int, row: int, x: float, y: float) -> None:
     contacts.tangent_arm_a[row] = tangent_a
     contacts.normal_arm_b[row] = normal_b
     contacts.tangent_arm_b[row] = tangent_b
+    weigh(t, a, b, row)
+
+
+def weigh(t: Tables, a: int, b: int, row: int) -> None:
+    """Set the effective masses of a contact by its lever arms."""
+    bodies = t.bodies
+    contacts = t.contacts
+    normal_a = contacts.normal_arm_a[row]
+    tangent_a = contacts.tangent_arm_a[row]
+    normal_b = contacts.normal_arm_b[row]
+    tangent_b = contacts.tangent_arm_b[row]
     mass = bodies.inverse_mass[a] + bodies.inverse_mass[b]
     turn_a = bodies.inverse_inertia[a]
     turn_b = bodies.inverse_inertia[b]

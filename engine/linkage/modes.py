@@ -14,7 +14,8 @@ TIGHT = 1e-9
 
 CLOSING = 2.0
 """Joints that gape, as they were torn apart by hand or found no solution, close no faster, in
-reaches of the smaller body a second (1/s; angles: rad/s): that would throw the bodies."""
+reaches of the smaller body a second (1/s; angles: rad/s): that would throw the bodies. Coordinates,
+which winches and servos change, are no gaps."""
 
 
 def coordinate_row(t: Tables, brace: int) -> int:

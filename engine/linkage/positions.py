@@ -327,11 +327,12 @@ def choose_modes(t: Tables, part: float) -> bool:
 
 def scale_of(t: Tables, row: int, joint: int) -> float:
     """Unit of the tolerances of a row: the joint's size (m), or 1 rad."""
-    arms = t.arms
-    arm = 2 * row + 1
-    if arms.x[arm] == 0.0 and arms.y[arm] == 0.0:
-        return 1.0
-    return t.joints.size[joint]
+    return 1.0 if is_angle(t, row) else t.joints.size[joint]
+
+
+def is_angle(t: Tables, row: int) -> bool:
+    """Whether a row constrains an angle."""
+    return t.arms.x[2 * row + 1] == 0.0 and t.arms.y[2 * row + 1] == 0.0
 
 
 def find_misses(t: Tables, part: float) -> float:
@@ -343,11 +344,12 @@ def find_misses(t: Tables, part: float) -> float:
         coordinate = coordinate_row(t, brace)
         first = t.braces.first[brace]
         for row in range(first, first + t.braces.rows[brace]):
-            most = CLOSING * scale_of(t, row, joint) * part
             missed = equations.value[row]
             if row != coordinate:
+                most = CLOSING * scale_of(t, row, joint) * part
                 missed -= left_over(equations.start[row], most)
             elif t.joints.mode[joint] != ELASTIC:
+                most = MOST_TURN / 2.0 if is_angle(t, row) else FARTHEST
                 missed = miss_of_mode(t, joint, row, part, most)
             elif equations.solved[row] == 1:
                 missed = miss(t, row, part)
