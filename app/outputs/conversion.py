@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import av
 import numpy as np
-from av.video.reformatter import ColorRange, Colorspace, VideoReformatter
+from av.video.reformatter import ColorRange, Colorspace, Interpolation, VideoReformatter
 from numpy.typing import NDArray
 
 from app.frames import Film, Pixels
@@ -40,6 +40,8 @@ def converted(pixels: Pixels, reformatter: VideoReformatter) -> av.VideoFrame:
         src_color_range=ColorRange.JPEG,
         dst_color_range=ColorRange.MPEG,
         dst_colorspace=Colorspace.ITU709,
+        # Else each kind of processor rounds colours in its own way.
+        interpolation=Interpolation.BILINEAR | Interpolation.BITEXACT,
         threads=1,  # more take a fifth more of the processor, which the encoder needs
     )
 

@@ -128,7 +128,13 @@ class Mp4(_Video):
     codec = "libx264"
     muxing: ClassVar[dict[str, str]] = {"movflags": "+faststart"}
     # At crf 18 the edges of text show no ringing; slower presets save a tenth for twice the time.
-    coding: ClassVar[dict[str, str]] = {"preset": "veryfast", "crf": "18", "threads": "1"}
+    coding: ClassVar[dict[str, str]] = {
+        "preset": "veryfast",
+        "crf": "18",
+        "threads": "1",
+        # Else it estimates by what each processor is quick at, and not even always the same.
+        "x264-params": "cpu-independent=1",
+    }
 
 
 class WebM(_Video):
