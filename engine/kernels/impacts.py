@@ -16,6 +16,7 @@ from engine.kernels.joined_impacts import exchange_with_joints
 from engine.kernels.pose import advance, place_pair
 from engine.kernels.rubbing import belt_speed
 from engine.kernels.sleeping import wake
+from engine.kernels.touches import touch
 from engine.linkage.tally import is_joined
 from engine.manifolds.any_pair import touching_points
 from engine.tables import FREE, RESTING, Bodies, Tables
@@ -75,6 +76,7 @@ def strike(
     t.pairs.struck[pair] = now + time
     t.pairs.apart[pair] = 0.0
     if rests and t.pairs.state[pair] != RESTING:
+        touch(t, pair)  # where joints jam, nothing was given
         t.pairs.points[pair] = 0
     t.pairs.state[pair] = RESTING if rests else FREE
     return rests

@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from engine import Circle, Polygon, Wall, World
+from engine import Box, Capsule, Circle, Pin, Polygon, Wall, World
 
 
 def phases(world: World, ticks: int) -> list[list[tuple[str, str, str]]]:
@@ -161,3 +161,22 @@ def test_contacts_are_saved_and_restored() -> None:
 def test_a_sensor_is_true_or_false() -> None:
     with pytest.raises(TypeError, match="sensor must be True or False, not 1"):
         World().add(Circle(1), sensor=1)  # type: ignore[arg-type]
+
+
+def test_links_that_jam_where_they_meet_begin_to_touch() -> None:
+    """Joints left nothing to be exchanged: they came to rest unnoted, and stayed without having
+    begun.
+    """
+    world = World(gravity=(0, -9.81), integrator="velocity-verlet")
+    world.add(Wall((-12, 0), (12, 0)))
+    rod = world.add(Capsule(0.55, 0.12), position=(0, 0.4), friction=0)
+    box = world.add(Box(0.8, 0.25), position=(0.8, 0.4), velocity=(0, -2), friction=0)
+    world.join(None, rod, Pin((-0.4, 0.4)))
+    world.join(rod, box, Pin((0.4, 0.4)), collide=True)
+    touching: set[tuple[int, int]] = set()
+    for _ in range(12):
+        world.step()
+        phases = {(contact.a.id, contact.b.id): contact.phase for contact in world.contacts}
+        assert {pair for pair, phase in phases.items() if phase != "begin"} == touching
+        touching = {pair for pair, phase in phases.items() if phase != "end"}
+    assert (rod.id, box.id) in touching
