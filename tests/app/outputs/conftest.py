@@ -1,13 +1,13 @@
 """A short film to encode: dark, flat colours, soft edges, some frames equal to the one before."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from app.frames import Film, Frame, Pixels
-from app.outputs import open_sink
+from app.outputs import open_sink, remote
 
 WIDTH, HEIGHT, FPS = 64, 48, 30
 
@@ -53,3 +53,11 @@ def write(film: Film, tmp_path: Path) -> Callable[..., Path]:
         return Path(target)
 
     return write
+
+
+@pytest.fixture
+def no_idle_workers() -> Iterator[None]:
+    """Whatever a test asks of workers, it begins and ends without any."""
+    remote.dismiss_workers()
+    yield
+    remote.dismiss_workers()

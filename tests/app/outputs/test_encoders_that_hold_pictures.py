@@ -17,14 +17,10 @@ from app.outputs import open_sink, remote, shared
 LONGEST = 60
 """How long a film of a few small pictures may take at most (s)."""
 
-pytestmark = pytest.mark.skipif(not shared.AVAILABLE, reason="encoders work in this process")
-
-
-@pytest.fixture(autouse=True)
-def _no_idle_workers() -> Iterator[None]:
-    remote.dismiss_workers()
-    yield
-    remote.dismiss_workers()
+pytestmark = [
+    pytest.mark.usefixtures("no_idle_workers"),
+    pytest.mark.skipif(not shared.AVAILABLE, reason="encoders work in this process"),
+]
 
 
 @pytest.fixture(autouse=True)

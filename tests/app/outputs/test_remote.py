@@ -2,7 +2,6 @@ import os
 import signal
 import subprocess
 import sys
-from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
 
@@ -16,15 +15,9 @@ from app.outputs.shared import MOST
 from screens.kit import theme
 from screens.kit.surface import Surface
 
+pytestmark = pytest.mark.usefixtures("no_idle_workers")
+
 FORMATS = ("film.mp4", "film.webm", "film.gif", "film.apng", "film.webp", "frames/")
-
-
-@pytest.fixture(autouse=True)
-def _no_idle_workers() -> Iterator[None]:
-    """Whatever a test asks of workers, it begins and ends without any."""
-    remote.dismiss_workers()
-    yield
-    remote.dismiss_workers()
 
 
 def shoot(sink: Sink, pictures: list[Pixels]) -> None:
