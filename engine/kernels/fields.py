@@ -47,7 +47,7 @@ def immerse(
     quadratic = laws.quadratic_drag * mass
     turn(bodies, row, fields, first, last, laws.integrator, dt)
     felt_x, felt_y = feel(fields, everyone, first, last, x, y, vx, vy, mass, 0.0)
-    k1x, k1y = slowed(ax + felt_x, ay + felt_y, vx, vy, linear, quadratic)
+    k1x, k1y = slowed(ax + felt_x, ay + felt_y, vx, vy, linear, quadratic, dt)
     lead = lead_of_euler(laws.integrator, dt)
     if lead != 0.0:
         bodies.ax[row] = k1x
@@ -63,7 +63,7 @@ def immerse(
         )
         felt_x += 2.0 * k2x
         felt_y += 2.0 * k2y
-        k2x, k2y = slowed(ax + k2x, ay + k2y, ux, uy, linear, quadratic)
+        k2x, k2y = slowed(ax + k2x, ay + k2y, ux, uy, linear, quadratic, dt)
         wx = vx + k2x * half
         wy = vy + k2y * half
         k3x, k3y = feel(
@@ -71,13 +71,13 @@ def immerse(
         )
         felt_x += 2.0 * k3x
         felt_y += 2.0 * k3y
-        k3x, k3y = slowed(ax + k3x, ay + k3y, wx, wy, linear, quadratic)
+        k3x, k3y = slowed(ax + k3x, ay + k3y, wx, wy, linear, quadratic, dt)
         ux = vx + k3x * dt
         uy = vy + k3y * dt
         k4x, k4y = feel(fields, everyone, first, last, x + wx * dt, y + wy * dt, ux, uy, mass, 1.0)
         felt_x = (felt_x + k4x) / 6.0
         felt_y = (felt_y + k4y) / 6.0
-        k4x, k4y = slowed(ax + k4x, ay + k4y, ux, uy, linear, quadratic)
+        k4x, k4y = slowed(ax + k4x, ay + k4y, ux, uy, linear, quadratic, dt)
         mean_x = (k1x + 2.0 * (k2x + k3x) + k4x) / 6.0
         mean_y = (k1y + 2.0 * (k2y + k3y) + k4y) / 6.0
         bodies.ax[row] = mean_x
@@ -92,7 +92,7 @@ def immerse(
         k2x, k2y = feel(fields, everyone, first, last, x, y, ux, uy, mass, 1.0)
         felt_x = (felt_x + k2x) / 2.0
         felt_y = (felt_y + k2y) / 2.0
-        k2x, k2y = slowed(ax + k2x, ay + k2y, ux, uy, linear, quadratic)
+        k2x, k2y = slowed(ax + k2x, ay + k2y, ux, uy, linear, quadratic, dt)
         bodies.ax[row] = (k1x + k2x) / 2.0
         bodies.ay[row] = (k1y + k2y) / 2.0
         bodies.lead_x[row] += (k1x - k2x) / 2.0 * half
@@ -165,12 +165,19 @@ def turn(
 
 
 def slowed(
-    ax: float, ay: float, vx: float, vy: float, linear: float, quadratic: float
+    ax: float, ay: float, vx: float, vy: float, linear: float, quadratic: float, dt: float
 ) -> tuple[float, float]:
-    """Acceleration at a velocity: the given one less drag, k/m v or k/m |v| v."""
+    """Acceleration at a velocity: the given one less drag, k/m v or k/m |v| v.
+
+    Drag that would turn the body back within the tick (s) is that of the velocity it then leaves,
+    (a - r v) / (1 + r dt), as the implicit Euler method has it: it stops what it should, and
+    what falls reaches its terminal speed.
+    """
     if linear > 0.0:
-        return ax - linear * vx, ay - linear * vy
-    if quadratic > 0.0:
-        drag = quadratic * math.sqrt(vx * vx + vy * vy)
-        return ax - drag * vx, ay - drag * vy
-    return ax, ay
+        rate = linear
+    elif quadratic > 0.0:
+        rate = quadratic * math.sqrt(vx * vx + vy * vy)
+    else:
+        return ax, ay
+    share = 1.0 if rate * dt <= 1.0 else 1.0 / (1.0 + rate * dt)
+    return (ax - rate * vx) * share, (ay - rate * vy) * share
