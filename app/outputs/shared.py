@@ -17,9 +17,9 @@ from app.frames import Film, Pixels
 AVAILABLE = os.name == "posix"
 """Whether processes can share memory by its descriptor."""
 
-FEWEST = 4
-"""Pictures of which an encoder may always be behind: video holds three until it is given the next.
-"""
+FEWEST = 3
+"""Pictures of which an encoder may always be behind: one may be held while the next is encoded and
+a third is on its way."""
 
 MOST = 5
 """More smooth nothing and cost memory: 3.7 MB each at 720x1280."""

@@ -59,8 +59,3 @@ def test_an_encoder_that_holds_all_it_was_lent_is_given_the_next(
         sink.abort()
         raise
     assert (tmp_path / name).stat().st_size > 0
-
-
-def test_video_is_lent_more_than_it_holds() -> None:
-    video = pytest.importorskip("app.outputs.video", reason="the video extra is missing")
-    assert shared.FEWEST > video.AHEAD + 1
