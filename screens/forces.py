@@ -34,6 +34,10 @@ PER_NEWTON, PER_SPEED = 0.3, 0.25
 """Lengths of arrows: m per N (less for both carts if one is too long), m per m/s."""
 LONGEST = 1.8
 """Greatest length of an arrow (m): it fits beside a cart that is at the mark."""
+ASIDE = 0.27
+"""How far above and below the middle of a cart its arrows are drawn (m): clear of its words."""
+CLEAR = 0.05
+"""Between the tip of a velocity and the end of its lane (m)."""
 INSET = 12.0
 """Between the words in a lane and its sides (dp)."""
 STRONG = theme.Style(12, theme.SEMIBOLD, 16)
@@ -270,12 +274,14 @@ class Forces:
             if len(mass) > FITS:
                 mass = page.chosen(body.mass, "")
             canvas.body(body, theme.TEAL, opacity(body.mass, *MASS), mass, over=(canvas.rect,))
-            reach = body.vx * PER_SPEED * view.scale
-            canvas.arrow((front, body.y - CART / 4), (reach, 0.0), arrows.VELOCITY)
+            # Its head stays in sight until the cart leaves.
+            reach = body.vx * PER_SPEED
+            tail = max(min(front, RIGHT - CLEAR - reach), front - CART)
+            canvas.arrow((tail, body.y - ASIDE), (reach * view.scale, 0.0), arrows.VELOCITY)
         if cart.force > 0.0 and cart.finish_time is None:
             reach = cart.force * self._per_newton() * view.scale
             faded = WAITING if self.begun is None else 1.0
-            at = (front, body.y + CART / 4)
+            at = (front, body.y + ASIDE)
             tip = canvas.arrow(at, (reach, 0.0), arrows.FORCE, faded)
             shown = page.chosen(cart.force, words("unit.N"))
             canvas.label(shown, Point(tip.x - reach / 2, tip.y), theme.ORANGE)

@@ -7,10 +7,13 @@ from hand import LANDSCAPE, PORTRAIT, drag, feed, fill, ids, lesson, rect, tap, 
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from screens.forces import TRACK
+from screens.forces import CART, RIGHT, TRACK
+from screens.kit import arrows
+from screens.kit.canvas import Canvas
 from screens.kit.cart_dialog import ACCELERATION, MASS
 from screens.kit.events import Key
 from screens.kit.geometry import Point
+from screens.kit.surface import Surface
 
 
 def prepared(mass_a: float, rate_a: float, mass_b: float, rate_b: float):
@@ -171,3 +174,37 @@ def test_cancel_keeps_the_run_and_accept_begins_anew() -> None:
     assert (probes["cart.a.x"], probes["cart.b.x"], probes["cart.a.force"]) == (0.0, 0.0, 10.0)
     wait(forces, 10)
     assert forces.probes()["cart.a.x"] == 0.0
+
+
+def test_the_head_of_a_velocity_is_in_sight_until_the_cart_leaves(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The arrow keeps its length and slides back over the cart, as far as its rear."""
+    drawn: list[tuple[float, float]] = []
+
+    def note(canvas: Canvas, at, reach, kind, alpha=1.0) -> Point:
+        if kind is arrows.VELOCITY:
+            drawn.append((at[0], at[0] + reach[0] / canvas.view.scale))
+        return Point(0.0, 0.0)
+
+    monkeypatch.setattr(Canvas, "arrow", note)
+    forces = prepared(1.0, 2.0, 2.0, 1.0)
+    surface = Surface(360, 640)
+    tap(forces, "forces.apply")
+    slid = 0
+    for _ in range(180):
+        wait(forces, 1)
+        drawn.clear()
+        forces.draw(surface)
+        x, speed = forces.probes()["cart.a.x"], forces.probes()["cart.a.vx"]
+        if len(drawn) < 2:
+            break
+        tail, tip = drawn[0]
+        assert tip - tail == pytest.approx(
+            speed * (drawn[1][1] - drawn[1][0]) / forces.probes()["cart.b.vx"]
+        )
+        assert x - CART / 2 - 1e-9 <= tail <= x + CART / 2 + 1e-9
+        if x + CART / 2 < RIGHT - 0.2:
+            assert tip < RIGHT
+            slid += tail < x + CART / 2 - 1e-9
+    assert slid > 0
