@@ -57,6 +57,7 @@ SOURCES = (
     "linkage.limb_groups",
     "linkage.limb_impacts",
     "linkage.limb_impulses",
+    "linkage.limb_gaps",
     "linkage.limb_motion",
     "linkage.limb_sweeps",
     "linkage.limb_velocities",

@@ -7,6 +7,7 @@ way, one step of Newton's method is enough where motion is smooth.
 
 import math
 
+from engine.linkage.limb_gaps import bend, measure_limbs
 from engine.linkage.limb_impulses import (
     add_up_limb,
     deliver_starts,
@@ -22,7 +23,6 @@ from engine.linkage.limb_sweeps import (
     place_even,
 )
 from engine.linkage.limbs import (
-    find_worst,
     gather_masses,
     resolve,
     resolve_tree,
@@ -55,9 +55,6 @@ DONE, FORWARD, BACK = 0, 1, 2
 JUMP = 0.3
 """A force of which a larger share differs between the end of a part and the start of the next does
 so because of contacts, and will again; smaller differences change as they did before."""
-
-NEAR = 0.3
-"""Up to this angle (rad) the series of sine and cosine below are exact to rounding."""
 
 
 def brace_limbs(t: Tables, part: float) -> None:
@@ -207,92 +204,6 @@ def withdraw_lost(t: Tables) -> int:
                 limbs.impulse_x[limbs.member[at]] = 0.0
                 limbs.impulse_y[limbs.member[at]] = 0.0
     return lost
-
-
-def bend(t: Tables) -> None:
-    """Find by how much bones move and turn from where they are placed to the end of the part."""
-    bones = t.bones
-    far = False
-    if bones.sizes[10] == bones.sizes[3]:
-        for bone in range(bones.sizes[2]):  # side by side, if all of them act
-            far = bend_bone(t, bone) or far
-    else:
-        for at in range(bones.sizes[11]):
-            far = bend_bone(t, bones.acting[at]) or far
-    if far:
-        for at in range(bones.sizes[11]):
-            bone = bones.acting[at]
-            angle = bones.lasts[bone] * (bones.spin[bone] + bones.lent_spin[bone])
-            bones.turn_sin[bone] = math.sin(angle)
-            bones.turn_less[bone] = math.cos(angle) - 1.0
-
-
-def bend_bone(t: Tables, bone: int) -> bool:
-    """Do so for one bone, its angle by a series; return whether that is too far for it."""
-    bones = t.bones
-    lasts = bones.lasts[bone]
-    bones.way_x[bone] = lasts * (bones.vx[bone] + bones.lent_x[bone])
-    bones.way_y[bone] = lasts * (bones.vy[bone] + bones.lent_y[bone])
-    angle = lasts * (bones.spin[bone] + bones.lent_spin[bone])
-    s = angle * angle
-    bones.turn_sin[bone] = angle * (
-        1.0
-        + s
-        * (
-            -1.0 / 6.0
-            + s * (1.0 / 120.0 + s * (-1.0 / 5040.0 + s * (1.0 / 362880.0 - s / 39916800.0)))
-        )
-    )
-    bones.turn_less[bone] = s * (
-        -0.5
-        + s
-        * (
-            1.0 / 24.0
-            + s * (-1.0 / 720.0 + s * (1.0 / 40320.0 + s * (-1.0 / 3628800.0 + s / 479001600.0)))
-        )
-    )
-    return s > NEAR * NEAR
-
-
-def measure_limbs(t: Tables, aiming: bool) -> None:
-    """Find by how much hinges will gape at the end of the part (s); aim at where they will be."""
-    bones = t.bones
-    for run in range(bones.sizes[12]):
-        lead = bones.run_lead[run]
-        for k in range(bones.run_first[run], bones.run_end[run]):
-            measure_limb(t, k, k + lead, aiming)
-    find_worst(t)
-
-
-def measure_limb(t: Tables, k: int, parent: int, aiming: bool) -> None:
-    """Do so for one of them."""
-    bones = t.bones
-    limbs = t.limbs
-    sin = bones.turn_sin[k]
-    less = bones.turn_less[k]
-    x = limbs.tip_x[k]
-    y = limbs.tip_y[k]
-    bend_x = less * x - sin * y
-    bend_y = sin * x + less * y
-    gap_x = limbs.gap_x[k] + (bones.way_x[k] - bones.way_x[parent]) + bend_x
-    gap_y = limbs.gap_y[k] + (bones.way_y[k] - bones.way_y[parent]) + bend_y
-    if aiming:
-        limbs.reach_x[k] = x + bend_x
-        limbs.reach_y[k] = y + bend_y
-    sin = bones.turn_sin[parent]
-    less = bones.turn_less[parent]
-    x = limbs.base_x[k]
-    y = limbs.base_y[k]
-    bend_x = less * x - sin * y
-    bend_y = sin * x + less * y
-    gap_x -= bend_x
-    gap_y -= bend_y
-    if aiming:
-        limbs.span_x[k] = x + bend_x
-        limbs.span_y[k] = y + bend_y
-    limbs.rate_x[k] = -gap_x / bones.lasts[k]
-    limbs.rate_y[k] = -gap_y / bones.lasts[k]
-    limbs.miss[k] = (gap_x * gap_x + gap_y * gap_y) * limbs.scale[k]
 
 
 def note_first(t: Tables) -> float:
