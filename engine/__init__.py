@@ -1,7 +1,7 @@
 """A standalone 2D rigid-body engine: SI units, float64, +y up, angles counter-clockwise."""
 
 from engine.body import Body
-from engine.collision import Collision, Diverged, Removed
+from engine.collision import Collision, Collisions, Diverged, Removed
 from engine.contact import Contact
 from engine.force_laws import ActingLaw, PointGravity, SpringTo
 from engine.forces import Force, LinearDrag, Push, QuadraticDrag, Torque
@@ -38,6 +38,7 @@ __all__ = [
     "Chain",
     "Circle",
     "Collision",
+    "Collisions",
     "Compound",
     "Concave",
     "Contact",

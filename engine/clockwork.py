@@ -3,7 +3,7 @@
 import importlib
 
 from engine import collision, modes
-from engine.collision import Collision, Diverged
+from engine.collision import NONE, Collision, Collisions, Diverged
 from engine.kernels.status import DONE, FULL, LOOSE, LOST, UNMIXED, WAITING
 from engine.modes import Kernels
 from engine.pair_rows import mix_by_rules
@@ -87,7 +87,7 @@ class Clockwork:
         """Whether it runs machine code."""
         return self._kernels.compiled
 
-    def tick(self, laws: Laws, rules: Rules, dt: float) -> list[Collision]:
+    def tick(self, laws: Laws, rules: Rules, dt: float) -> Collisions:
         """Take one tick, as `advance` does, by the shortest way if its kernels are settled."""
         if (
             not self._settled
@@ -95,17 +95,18 @@ class Clockwork:
             or self._laws is not laws
             or self._rules is not rules
         ):
-            return self.advance(laws, rules, dt)
+            return Collisions(self.advance(laws, rules, dt))
         try:
             status = self._run(dt, 1)
             if status == DONE:
-                return self._reported() if self._written[0] else []
-            collisions = self._reported()
+                return self._reported() if self._written[0] else NONE
+            happened = list(self._reported())
             self._help(status, laws, rules)
         except BaseException:
             self._store.tables.progress.phase[0] = WAITING
             raise
-        return collisions + self.advance(laws, rules, dt)
+        happened += self.advance(laws, rules, dt)
+        return Collisions(happened)
 
     def advance(
         self, laws: Laws, rules: Rules, dt: float, ticks: int = 1, silent: bool = False
@@ -171,14 +172,14 @@ class Clockwork:
         self._tick, self._written = tables.state.tick, tables.impacts.written
         tables.progress.own_rules[0] = rules != PLAIN_RULES
 
-    def _reported(self, silent: bool = False) -> list[Collision]:
+    def _reported(self, silent: bool = False) -> Collisions:
         """Empty the table of impacts."""
         tables = self._store.tables
         tables.progress.told[0] = 0
         self.collisions += self._written[0]
         if silent:
             self._written[0] = 0
-            return []
+            return NONE
         return collision.read(tables.impacts, self._store.handles)
 
     def _consider_compiling(self, laws: Laws, rules: Rules) -> None:

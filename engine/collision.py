@@ -1,7 +1,8 @@
 """What a step reports."""
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
+from typing import TYPE_CHECKING, Any, NamedTuple, overload
 
 from engine.tables import Impacts
 from engine.vector import Vector
@@ -33,7 +34,81 @@ class Collision(NamedTuple):
     """Of the impact (s, time of the world)."""
 
 
-def read(impacts: Impacts, handles: Sequence["Body"]) -> list[Collision]:
+FEW = 8
+"""So many are made at once."""
+
+
+class Collisions(Sequence[Collision]):
+    """What happened in a step, in order of time: as a list, but that it cannot be changed.
+
+    Where there are many, they are made when somebody reads the first: thousands of objects a second
+    that nobody looks at would cost as much as the physics of a heap that lands.
+    """
+
+    __slots__ = ("_made", "_make", "_number")
+
+    def __init__(
+        self,
+        made: list[Collision] | None,
+        number: int = 0,
+        make: Callable[[], list[Collision]] = list,
+    ) -> None:
+        """Keep those that are `made`, or if that is None so many that `make` will make."""
+        self._made = made
+        self._number = number if made is None else len(made)
+        self._make = make
+
+    def __len__(self) -> int:
+        """How many there are."""
+        return self._number
+
+    def __iter__(self) -> Iterator[Collision]:
+        """One after another."""
+        return iter(self._all())
+
+    @overload
+    def __getitem__(self, at: int) -> Collision: ...
+
+    @overload
+    def __getitem__(self, at: slice) -> list[Collision]: ...
+
+    def __getitem__(self, at: int | slice) -> Collision | list[Collision]:
+        """One of them, or several."""
+        return self._all()[at]
+
+    def __add__(self, others: Iterable[Collision]) -> list[Collision]:
+        """These, then others."""
+        return [*self._all(), *others]
+
+    def __radd__(self, others: Iterable[Collision]) -> list[Collision]:
+        """Others, then these."""
+        return [*others, *self._all()]
+
+    def __eq__(self, other: object) -> bool:
+        """Whether a list, or what another step returned, holds the same."""
+        if isinstance(other, Collisions | list):
+            return self._all() == list(other)
+        return NotImplemented
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        """As that of a list."""
+        return repr(self._all())
+
+    def _all(self) -> list[Collision]:
+        """All of them, made if they are not yet."""
+        if self._made is None:
+            self._made = self._make()
+            self._make = list
+        return self._made
+
+
+NONE = Collisions([])
+"""Nothing happened."""
+
+
+def read(impacts: Impacts, handles: Sequence["Body"]) -> Collisions:
     """Turn the table of impacts into collisions and empty it.
 
     Args:
@@ -42,10 +117,20 @@ def read(impacts: Impacts, handles: Sequence["Body"]) -> list[Collision]:
     """
     number = impacts.written[0]
     impacts.written[0] = 0
-    a, b, time = impacts.a, impacts.b, impacts.time
-    x, y, speed, restitution = impacts.x, impacts.y, impacts.speed, impacts.restitution
-    normal_x, normal_y = impacts.normal_x, impacts.normal_y
-    impulse_x, impulse_y = impacts.impulse_x, impacts.impulse_y
+    if number <= FEW:
+        return Collisions(_made(impacts, handles, number))
+    columns = [_copy(column, number) for column in impacts]
+    return Collisions(None, number, partial(_made, columns, list(handles), number))
+
+
+def _copy(column: Any, number: int) -> Any:
+    """The first numbers of a column, which is a memoryview, as another."""
+    return memoryview(bytes(column[:number])).cast(column.format)
+
+
+def _made(columns: Sequence[Any], handles: Sequence["Body"], number: int) -> list[Collision]:
+    """Turn the first rows of a table of impacts into collisions."""
+    a, b, x, y, normal_x, normal_y, impulse_x, impulse_y, speed, restitution, time, _ = columns
     return [
         _row(
             Collision,

@@ -8,7 +8,7 @@ from engine import callbacks, ledger, validate
 from engine.asking import ask_functions
 from engine.body import Body, OnCollision, OnMove
 from engine.clockwork import Clockwork
-from engine.collision import Collision, Removed
+from engine.collision import Collisions, Removed
 from engine.contact import Contact
 from engine.enrol import initial_values
 from engine.filters import ALL
@@ -71,7 +71,7 @@ class World:
         """Who takes note of inputs; see `record`."""
         self._clockwork = Clockwork(self.store, kernels)
 
-    def step(self, dt: float = TICK) -> list[Collision]:
+    def step(self, dt: float = TICK) -> Collisions:
         """Advance by `dt` seconds; return the collisions that happened, in order of time.
 
         Nothing calls back from inside. Same tables in, same tables out.
