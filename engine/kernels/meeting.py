@@ -39,7 +39,8 @@ NOWHERE = -1e300
 
 
 def measure_ways(t: Tables, count: int, part: float) -> None:
-    """Bound how far any point of each body moves within the part (s)."""
+    """Bound how far any point of each body moves within the part, and how far about its centre (m).
+    """
     bodies = t.bodies
     moves = bodies.moves
     vx = bodies.vx
@@ -48,31 +49,40 @@ def measure_ways(t: Tables, count: int, part: float) -> None:
     path_y = bodies.path_y
     for row in range(count):
         if moves[row] == 0:
-            bodies.way[row] = 0.0
+            bodies.way[row] = bodies.rim[row] = 0.0
             continue
         speed = abs(vx[row]) + abs(vy[row]) + (abs(path_x[row]) + abs(path_y[row])) * part
         swing = bodies.reach[row]
         if bodies.pieces[row] == 1:
             swing = t.pieces.swing[bodies.first_piece[row]]
+        rim = 0.0
         if swing > 0.0:
-            speed += (abs(bodies.spin[row]) + abs(bodies.path_spin[row]) * part) * swing
-        bodies.way[row] = speed * part
+            rim = (abs(bodies.spin[row]) + abs(bodies.path_spin[row]) * part) * swing
+        bodies.rim[row] = rim * part
+        bodies.way[row] = (speed + rim) * part
 
 
 def find_meetings(t: Tables, pair_count: int, part: float) -> int:
     """Find which free pairs meet within the part (s); queue them and return their number.
 
-    Pairs that are further apart than both bodies move are left at a glance.
+    Pairs that are further apart than their surfaces move towards each other are left at a glance:
+    bodies that fall side by side hardly do.
     """
     pairs = t.pairs
-    way = t.bodies.way
+    vx = t.bodies.vx
+    vy = t.bodies.vy
+    path_x = t.bodies.path_x
+    path_y = t.bodies.path_y
+    rim = t.bodies.rim
     queued = 0
     for pair in range(pair_count):
         if pairs.state[pair] != FREE:
             continue
         a = pairs.a[pair]
         b = pairs.b[pair]
-        left = pairs.apart[pair] - way[a] - way[b]
+        way = (abs(vx[b] - vx[a]) + abs(vy[b] - vy[a])) * part
+        way += (abs(path_x[b] - path_x[a]) + abs(path_y[b] - path_y[a])) * part * part
+        left = pairs.apart[pair] - way - rim[a] - rim[b]
         if left > 0.0:
             pairs.apart[pair] = left
             continue

@@ -125,6 +125,8 @@ class Bodies(NamedTuple):
     """(rad/s^2)"""
     way: Floats
     """No point of the body moves further in the present part, unless something hits it (m)."""
+    rim: Floats
+    """The same as seen from the centre of the body: by rotation alone (m)."""
     kick_x: Floats
     """Velocity at the end of the present part, as the resting contacts make it (m/s)."""
     kick_y: Floats
