@@ -22,6 +22,10 @@ from engine.tables import RESTING, Tables
 PACE = 2.0
 """Fastest correction of a deep overlap, in reaches of the smaller body a second (1/s)."""
 
+NEARLY = 1.25
+"""What a spring yields may be exceeded by so much when moving ends, or loads that press a contact
+just a little deeper would have it moved for ever."""
+
 MOST_SWEEPS = 12
 """Sweeps at most."""
 
@@ -37,7 +41,7 @@ def is_parting(t: Tables, pair: int) -> bool:
         return False
     most = DEEP * t.pairs.size[pair]
     if t.bodies.parting[t.pairs.a[pair]] == 1 or t.bodies.parting[t.pairs.b[pair]] == 1:
-        most = sag(t, pair)
+        most = NEARLY * sag(t, pair)
     for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
         if t.contacts.gap[row] < -most:
             return True

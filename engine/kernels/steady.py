@@ -39,7 +39,7 @@ ROLLING = 1.0
 """Discs that roll faster are not calm: they may soon leave what they rest on, in reaches a second
 (1/s)."""
 
-SLIDING = 2e-5
+SLIDING = 1e-4
 """What slides faster is braked by friction, so is not steady, in the same unit."""
 
 RESISTED = 1e-6
