@@ -34,12 +34,38 @@ def is_deflected(t: Tables, row: int) -> bool:
     return deflected and bodies.bone[row] == 0
 
 
-def look_again(t: Tables, row: int, time: float, part: float, queued: int, strict: bool) -> int:
-    """Find anew, after an impact at `time` (s), when the pairs of a body meet."""
+def swerve(t: Tables, row: int) -> float:
+    """Bound by how much the last impact changed the velocity of any point of a body (m/s)."""
+    bodies = t.bodies
+    swing = bodies.reach[row]
+    if bodies.pieces[row] == 1:
+        swing = t.pieces.swing[bodies.first_piece[row]]
+    change = abs(bodies.vx[row] - bodies.came_x[row]) + abs(bodies.vy[row] - bodies.came_y[row])
+    return change + abs(bodies.spin[row] - bodies.came_spin[row]) * swing
+
+
+def look_again(
+    t: Tables, row: int, swerves: float, time: float, part: float, queued: int, strict: bool
+) -> int:
+    """Find anew when the pairs of a body meet, after an impact at `time` (s) that changed the
+    velocity of any point of it by what it `swerves` at most (m/s).
+    """
+    closer = swerves * (part - time)
     first = t.bodies.first_link[row]
     for link in range(first, first + t.bodies.links[row]):
-        queued = look_at_pair(t, t.links.pair[link], time, part, queued, strict)
+        pair = t.links.pair[link]
+        if t.pairs.state[pair] != FREE or not stays_apart(t, pair, closer):
+            queued = look_at_pair(t, pair, time, part, queued, strict)
     return queued
+
+
+def stays_apart(t: Tables, pair: int, closer: float) -> bool:
+    """Whether a pair does not meet in this part though it may come closer than was foreseen (m)."""
+    left = t.pairs.apart[pair] - closer
+    if left <= 0.0 or t.progress.straight[0] == 1:
+        return False
+    t.pairs.apart[pair] = left
+    return True
 
 
 def look_at_pair(t: Tables, pair: int, time: float, part: float, queued: int, strict: bool) -> int:
@@ -113,7 +139,7 @@ def look_at_joined(
         return queued
     for node in range(1, t.braces.sizes[1]):
         if changed(t, node):
-            queued = look_again(t, t.nodes.body[node], time, part, queued, strict)
+            queued = look_again(t, t.nodes.body[node], NEVER, time, part, queued, strict)
     return queued
 
 

@@ -54,8 +54,8 @@ def strike(
     b = t.pairs.b[pair]
     if bodies.asleep[a] != bodies.asleep[b]:
         wake(t, a if bodies.asleep[a] == 1 else b)
-    advance(bodies, a, time)
-    advance(bodies, b, time)
+    come(bodies, a, time)
+    come(bodies, b, time)
     place_pair(t, pair, time)
     points = touching_points(t, pair)
     one, other, speed = choose_points(t, pair, points, near)
@@ -80,6 +80,14 @@ def strike(
         t.pairs.points[pair] = 0
     t.pairs.state[pair] = RESTING if rests else FREE
     return rests
+
+
+def come(bodies: Bodies, row: int, time: float) -> None:
+    """Move a body to where it is struck at `time` of the part (s); note with what velocity."""
+    advance(bodies, row, time)
+    bodies.came_x[row] = bodies.vx[row]
+    bodies.came_y[row] = bodies.vy[row]
+    bodies.came_spin[row] = bodies.spin[row]
 
 
 def choose_points(t: Tables, pair: int, points: int, near: float) -> tuple[int, int, float]:

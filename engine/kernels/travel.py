@@ -5,7 +5,7 @@ early when two bodies come to rest on each other, or when a body leaves the box 
 of pairs holds.
 """
 
-from engine.kernels.aftermath import await_corners, is_deflected, look_again, look_at_joined
+from engine.kernels.aftermath import await_corners, is_deflected, look_again, look_at_joined, swerve
 from engine.kernels.agenda import TOGETHER, dequeue, empty, next_to_meet
 from engine.kernels.books import book_lead, book_part
 from engine.kernels.contacts import correct_arms, relax
@@ -292,9 +292,12 @@ def meet_in_order(
             or (written[1] < limit and turning(t, pair, part - time) > PLUNGE)
         ):
             return DONE, time, queued
-        if is_joined(t, pair):
+        joined = is_joined(t, pair)
+        if joined:
             written[1] += joints_that_act(t) // 8  # joints make it dear: give up sooner
-            queued = look_at_joined(t, a, b, time, part, queued, written[1] < 2 * limit)
+        strict = written[1] < 2 * limit
+        if joined:
+            queued = look_at_joined(t, a, b, time, part, queued, strict)
         left = dt - now - time
         if has_escaped(t, a, left) or has_escaped(t, b, left):
             escaped = True
@@ -305,9 +308,9 @@ def meet_in_order(
         if escaped:
             ending = ESCAPED
         if is_deflected(t, a):
-            queued = look_again(t, a, time, part, queued, written[1] < 2 * limit)
+            queued = look_again(t, a, swerve(t, a), time, part, queued, strict)
         if is_deflected(t, b):
-            queued = look_again(t, b, time, part, queued, written[1] < 2 * limit)
+            queued = look_again(t, b, swerve(t, b), time, part, queued, strict)
     if cut:
         return ending, reached, queued
     return ending, part, queued

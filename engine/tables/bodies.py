@@ -127,6 +127,11 @@ class Bodies(NamedTuple):
     """No point of the body moves further in the present part, unless something hits it (m)."""
     rim: Floats
     """The same as seen from the centre of the body: by rotation alone (m)."""
+    came_x: Floats
+    """Velocity with which it came to its last impact (m/s)."""
+    came_y: Floats
+    came_spin: Floats
+    """(rad/s)"""
     kick_x: Floats
     """Velocity at the end of the present part, as the resting contacts make it (m/s)."""
     kick_y: Floats
