@@ -35,6 +35,10 @@ from engine.tables import (
 )
 from engine.tables.linkage import BREAKING, BROKEN
 
+PAIRS = 12
+"""Pairs for which there is room at least, of each piece: memory that nobody writes to costs nothing,
+a larger table costs a copy of all that it holds."""
+
 
 class Store:
     """The tables of a world and the handles of its bodies.
@@ -173,7 +177,7 @@ class Store:
         """Let all tables have room for so many pairs at least."""
         progress = self.tables.progress
         if pairs > progress.room[0]:
-            progress.room[0] = max(pairs + pairs // 2, self.count("pieces"))
+            progress.room[0] = max(pairs + pairs // 2, PAIRS * self.count("pieces"))
             for name in ("pairs", "found", "parted"):
                 self.make_room(name, progress.room[0])
             for name in ("contacts", "links"):

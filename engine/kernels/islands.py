@@ -23,6 +23,7 @@ from engine.kernels.steady import (
     TRUSTED,
     balance,
     is_unsteady,
+    put_off,
     relies,
     strays,
     watch,
@@ -36,10 +37,6 @@ from engine.tables import RESTING, Tables
 
 PRESENT, STEADILY = 0, 1
 """How a body waits: not at all, or as part of a steady island."""
-
-LATER = 4
-"""An island that is not steady, though it has been calm, is not tried again for so many ticks, if
-others are there that might be."""
 
 STIRRED = 0.25
 """Share of what one sweep may change of what is steady that tells who is not."""
@@ -79,7 +76,7 @@ def wait_steadily(t: Tables, count: int, resting: int, dt: float) -> tuple[int, 
         steadiness = balance(t, count, waiting, dt)
     if steadiness == MOVING:
         if islands > 1:
-            put_off(t, count)
+            put_off_strays(t, count)
         waiting = 0
         end_waiting(t, count)
     left = 0
@@ -160,12 +157,11 @@ def pair_waits(t: Tables, pair: int) -> bool:
     return t.bodies.waits[t.pairs.a[pair]] + t.bodies.waits[t.pairs.b[pair]] > 0
 
 
-def put_off(t: Tables, count: int) -> None:
-    """Let those that one sweep showed to be unsteady not be tried for some ticks."""
-    bodies = t.bodies
+def put_off_strays(t: Tables, count: int) -> None:
+    """Put off those that one sweep showed to be unsteady."""
     for row in range(count):
-        if bodies.held[row] > 0 and strays(t, row, STIRRED * BEARING):
-            bodies.calm[row] = LONG - LATER
+        if t.bodies.held[row] > 0 and strays(t, row, STIRRED * BEARING):
+            put_off(t, row)
 
 
 def end_waiting(t: Tables, count: int) -> None:

@@ -39,7 +39,7 @@ NOWHERE = -1e300
 
 
 def measure_ways(t: Tables, count: int, part: float) -> None:
-    """Bound how far any point of each body moves within the part, and how far about its centre (m)."""
+    """Bound how far any point of each body moves in the part, and how far by rotation (m)."""
     bodies = t.bodies
     moves = bodies.moves
     vx = bodies.vx

@@ -49,6 +49,9 @@ LONG = 12
 """Ticks for which all that rests must have been calm to be steady: what swings stands still too,
 where it turns."""
 
+LATER = 4
+"""What is not steady, though it has been calm, is not tried again for so many ticks."""
+
 BEARING = 1e-3
 """If one sweep changes no velocity by more, loads bear the forces, in reaches a second (1/s)."""
 
@@ -61,31 +64,69 @@ relied on, in the same unit."""
 
 
 def is_unsteady(t: Tables, pair: int) -> bool:
-    """Whether a contact is new, runs, is braked, or is one with something immovable that moves."""
+    """Whether a contact is new, runs, rolls against resistance, slides on for more than a part, or
+    is one with something immovable that moves.
+    """
     pairs = t.pairs
     if pairs.points[pair] == 0 or pairs.belt_speed[pair] != 0.0:
         return True
-    calm = t.bodies.calm
-    return calm[pairs.a[pair]] < LONG or calm[pairs.b[pair]] < LONG or is_braked(t, pair)
+    bodies = t.bodies
+    a = pairs.a[pair]
+    b = pairs.b[pair]
+    if bodies.calm[a] < LONG or bodies.calm[b] < LONG:
+        return True
+    if pairs.rolling_resistance[pair] > 0.0 and abs(bodies.spin[b] - bodies.spin[a]) > RESISTED:
+        return True
+    return is_braked(t, pair) and not is_stopped(t, pair)
 
 
 def is_braked(t: Tables, pair: int) -> bool:
-    """Whether friction or rolling resistance brakes a contact."""
-    bodies = t.bodies
-    a = t.pairs.a[pair]
-    b = t.pairs.b[pair]
-    turns = abs(bodies.spin[b] - bodies.spin[a])
-    if t.pairs.rolling_resistance[pair] > 0.0 and turns > RESISTED:
-        return True
-    slip = (bodies.vy[b] - bodies.vy[a]) * t.pairs.normal_x[pair]
-    slip -= (bodies.vx[b] - bodies.vx[a]) * t.pairs.normal_y[pair]
-    row = 2 * pair
-    slip += bodies.spin[b] * t.contacts.tangent_arm_b[row]
-    slip -= bodies.spin[a] * t.contacts.tangent_arm_a[row]
-    if abs(slip) <= SLIDING * t.pairs.size[pair]:
+    """Whether a contact slides and friction can do no more against it."""
+    if abs(slip_of(t, pair)) <= SLIDING * t.pairs.size[pair]:
         return False
     push, rub = impulses_of(t, pair)
     return push > 0.0 and abs(rub) >= HELD * t.pairs.static_friction[pair] * push
+
+
+def is_stopped(t: Tables, pair: int) -> bool:
+    """Whether as much friction as in the last part would stop the sliding of a contact."""
+    _, rub = impulses_of(t, pair)
+    return abs(slip_of(t, pair)) * t.contacts.tangent_mass[2 * pair] <= abs(rub)
+
+
+def slip_of(t: Tables, pair: int) -> float:
+    """Speed of b past a at the first point of a contact (m/s)."""
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    slip = (bodies.vy[b] - bodies.vy[a]) * t.pairs.normal_x[pair]
+    slip -= (bodies.vx[b] - bodies.vx[a]) * t.pairs.normal_y[pair]
+    slip += bodies.spin[b] * t.contacts.tangent_arm_b[2 * pair]
+    return slip - bodies.spin[a] * t.contacts.tangent_arm_a[2 * pair]
+
+
+def slides_on(t: Tables, resting: int) -> bool:
+    """Whether something slides that others do not fix, so that it is braked; it is put off.
+
+    What creeps over one neighbour, while the ground holds it by others, is at its end.
+    """
+    bodies = t.bodies
+    slides = False
+    for k in range(resting):
+        pair = t.pairs.resting[k]
+        a = t.pairs.a[pair]
+        b = t.pairs.b[pair]
+        if bodies.stuck[a] + bodies.stuck[b] < FIXED + FIXED and is_braked(t, pair):
+            put_off(t, a)
+            put_off(t, b)
+            slides = True
+    return slides
+
+
+def put_off(t: Tables, row: int) -> None:
+    """Let a body that was not steady, though it has been calm, not be tried for some ticks."""
+    if t.bodies.inverse_mass[row] > 0.0:
+        t.bodies.calm[row] = LONG - LATER
 
 
 def watch(t: Tables, row: int, dt: float) -> None:
@@ -182,8 +223,6 @@ def balance(t: Tables, count: int, resting: int, part: float) -> int:
             t.bodies.left_spin[row] = t.bodies.kick_spin[row]
     found = MOVING
     if sweep_all(t, resting, BEARING, False) == QUIET:
-        for k in range(resting):
-            touch(t, t.pairs.resting[k])
         found = BALANCED if calm_groups(t, resting, STEADY_SWEEPS, STILL) else UNEVEN
     keep_loads(t, part)
     for k in range(resting):
@@ -191,11 +230,16 @@ def balance(t: Tables, count: int, resting: int, part: float) -> int:
         for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
             contacts.normal_load[row] = contacts.normal_impulse[row] / part
             contacts.tangent_load[row] = contacts.tangent_impulse[row] / part
-    if found != MOVING:
-        keep_limb_impulses(t, part)
-        find_fixed(t, count, resting)
-        halt_fixed(t, count, resting)
-        bend(t, count, part)
+    if found == MOVING:
+        return found
+    find_fixed(t, count, resting)
+    if slides_on(t, resting):
+        return MOVING
+    for k in range(resting):
+        touch(t, t.pairs.resting[k])
+    keep_limb_impulses(t, part)
+    halt_fixed(t, count, resting)
+    bend(t, count, part)
     return found
 
 

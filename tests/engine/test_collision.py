@@ -1,6 +1,7 @@
 """What a step returns: as a list, whenever it is read."""
 
 import pytest
+
 from engine import Circle, Collision, World
 from engine.collision import FEW, Collisions
 

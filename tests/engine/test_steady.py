@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from engine import Body, Circle, Force, Polygon, Wall, World
-from engine.kernels.steady import is_braked
+from engine.kernels.steady import LONG, is_braked, is_unsteady, slides_on
+from engine.kernels.sticking import FIXED, LOOSE
 
 G = 9.81
 
@@ -93,6 +94,43 @@ def test_friction_brakes_what_it_cannot_hold_not_what_jiggles() -> None:
         assert is_braked(world.tables, 0) is brakes
     box.velocity = (0, 0)
     assert not is_braked(world.tables, 0)
+
+
+def test_sliding_that_friction_ends_at_once_keeps_nothing_from_being_steady() -> None:
+    """A slip of mu g h ends within h: slower sliding, though braked, has come to its end."""
+    world = World(gravity=(0, -G), integrator="velocity-verlet")
+    world.add(Wall((-20, 0), (20, 0)), friction=0.5)
+    box = world.add(Polygon.box(1, 1), position=(0, 0.5), friction=0.5)
+    for _ in range(5):
+        world.step()
+    tables = world.tables
+    for row in (0, 1):
+        tables.contacts.tangent_impulse[row] = -0.5 * tables.contacts.normal_impulse[row]
+    tables.bodies.calm[0] = tables.bodies.calm[1] = LONG
+    most = 0.5 * G / 60 / world.laws.substeps * tables.contacts.tangent_mass[0] ** -1
+    for slip, slides in ((0.9 * most, False), (1.1 * most, True)):
+        box.velocity = (slip, 0)
+        assert is_braked(tables, 0)
+        assert is_unsteady(tables, 0) is slides
+
+
+def test_what_slides_is_steady_only_if_others_fix_it() -> None:
+    """A box that friction does not hold goes on to slide; one that is fixed creeps no further."""
+    world = World(gravity=(0, -G), integrator="velocity-verlet")
+    world.add(Wall((-20, 0), (20, 0)), friction=0.5)
+    box = world.add(Polygon.box(1, 1), position=(0, 0.5), friction=0.5)
+    for _ in range(5):
+        world.step()
+    box.velocity = (1e-3, 0)
+    tables = world.tables
+    for row in (0, 1):
+        tables.contacts.tangent_impulse[row] = -0.5 * tables.contacts.normal_impulse[row]
+    floor = tables.pairs.a[0] + tables.pairs.b[0] - 1
+    for stuck, slides in ((FIXED, False), (LOOSE, True)):
+        tables.bodies.stuck[floor], tables.bodies.stuck[1] = FIXED, stuck
+        tables.bodies.calm[1] = LONG
+        assert slides_on(tables, 1) is slides
+        assert (tables.bodies.calm[1] < LONG) is slides
 
 
 def test_free_bodies_that_are_pressed_together_keep_their_momentum() -> None:
