@@ -86,6 +86,7 @@ SOURCES = (
     "kernels.sensing",
     "kernels.sleeping",
     "kernels.spring",
+    "kernels.standing",
     "kernels.steady",
     "kernels.sticking",
     "kernels.sweeps",

@@ -136,6 +136,7 @@ DERIVED = (
     "bodies.waits",
     "bodies.cluster",
     "bodies.stirred",
+    "bodies.burdens",
     "bodies.placed",
     "bodies.block",
     "bodies.bone",

@@ -14,6 +14,7 @@ from engine.kernels.books import book_part
 from engine.kernels.contacts import correct_arms, relax
 from engine.kernels.halting import book_fixed, hand_on
 from engine.kernels.resting import place_middle
+from engine.kernels.standing import is_built, stand, take_back_new
 from engine.kernels.steady import (
     BALANCED,
     BEARING,
@@ -28,7 +29,7 @@ from engine.kernels.steady import (
     strays,
     watch,
 )
-from engine.kernels.sticking import cluster_of
+from engine.kernels.sticking import cluster_of, island_of
 from engine.kernels.touches import collect, touch
 from engine.linkage.acting import list_acting
 from engine.linkage.limb_impulses import forget_jolts
@@ -77,6 +78,7 @@ def wait_steadily(t: Tables, count: int, resting: int, dt: float) -> tuple[int, 
     if steadiness == MOVING:
         if islands > 1:
             put_off_strays(t, count)
+        take_back_new(t, waiting)
         waiting = 0
         end_waiting(t, count)
     left = 0
@@ -108,9 +110,12 @@ def find_steady(t: Tables, count: int, resting: int, dt: float) -> int:
             watch(t, row, dt)
             if bodies.calm[row] >= LONG and bodies.inverse_mass[row] > 0.0:
                 calm += 1
-    if calm == 0 or t.braces.sizes[0] > 0:
+    built = is_built(t, resting)
+    if (calm == 0 and not built) or t.braces.sizes[0] > 0:
         return 0
     connect(t, resting)
+    if built and stand(t, count, resting, dt) + calm == 0:
+        return 0
     for k in range(resting):
         bodies.stirred[island_of(t, t.pairs.resting[k])] = 0
     for row in range(count):
@@ -144,12 +149,6 @@ def connect(t: Tables, resting: int) -> None:
         if parent < bones.sizes[1]:
             body = bones.body[parent]
             bodies.cluster[cluster_of(t, bones.body[k])] = cluster_of(t, body)
-
-
-def island_of(t: Tables, pair: int) -> int:
-    """The body that stands for the island of a pair."""
-    a = t.pairs.a[pair]
-    return cluster_of(t, a if t.bodies.inverse_mass[a] > 0.0 else t.pairs.b[pair])
 
 
 def pair_waits(t: Tables, pair: int) -> bool:

@@ -58,6 +58,12 @@ def cluster_of(t: Tables, row: int) -> int:
     return row
 
 
+def island_of(t: Tables, pair: int) -> int:
+    """The body that stands for the cluster, or the island, of a pair."""
+    a = t.pairs.a[pair]
+    return cluster_of(t, a if t.bodies.inverse_mass[a] > 0.0 else t.pairs.b[pair])
+
+
 def pins(t: Tables, pair: int) -> int:
     """Number of points that a contact holds together under its load."""
     push = 0.0

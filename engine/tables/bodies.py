@@ -175,6 +175,8 @@ class Bodies(NamedTuple):
     stirred: Ints
     """1 if it was struck while contacts were readied; see `resting`. Also one of its pairs; see
     `halting`."""
+    burdens: Ints
+    """How many contacts of others that rest on it still have no load; see `standing`."""
     placed: Ints
     """1 if its corners stand as in the middle of the part, while contacts are readied."""
     block: Ints
