@@ -110,7 +110,7 @@ def find_steady(t: Tables, count: int, resting: int, dt: float) -> int:
             watch(t, row, dt)
             if bodies.calm[row] >= LONG and bodies.inverse_mass[row] > 0.0:
                 calm += 1
-    built = is_built(t, resting)
+    built = t.progress.begins[0] == 1 and is_built(t, resting)
     if (calm == 0 and not built) or t.braces.sizes[0] > 0:
         return 0
     connect(t, resting)

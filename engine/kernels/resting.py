@@ -71,6 +71,7 @@ def settle(t: Tables, count: int, pair_count: int, shortest: float) -> int:
             pairs.carried[pair] = 0.0
             pairs.steady[pair] = 0
             pairs.points[pair] = 0
+            t.progress.begins[0] = 1
             if waits[pairs.a[pair]] + waits[pairs.b[pair]] > 0:
                 t.progress.roused[0] = 1
         if pairs.state[pair] == RESTING and waits[pairs.a[pair]] + waits[pairs.b[pair]] == 0:

@@ -115,6 +115,7 @@ def move(t: Tables, laws: Laws, dt: float) -> int:
     t.lanes.sizes[3] = 0  # pairs may stand in other rows now
     if t.progress.begun[0] == 0:
         t.progress.begun[0] = 1
+        t.progress.begins[0] = 0
         t.impacts.written[1] = 0
         begin(t, count, pairs, substep)
     status, now = travel(t, count, pairs, t.progress.now[0], dt, substep, 1000 + 50 * count)

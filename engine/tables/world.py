@@ -142,6 +142,8 @@ class Progress(NamedTuple):
     """1 if coefficients of pairs are made by Python."""
     roused: Ints
     """1 once something hit what waits, or came to rest on it; see `islands`."""
+    begins: Ints
+    """1 once a pair came to rest in the present tick; see `standing`."""
     stalled: Ints
     """Parts in a row that ended as they began; see `resting.STALLS`."""
     sweeps: Ints
