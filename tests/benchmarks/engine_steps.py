@@ -53,14 +53,15 @@ def pile(kernels: str) -> World:
     return world
 
 
-def pyramid(base: int, kernels: str) -> World:
-    """Boxes on boxes, at rest."""
+def pyramid(base: int, kernels: str, apart: float = 0.0) -> World:
+    """Boxes on boxes, at rest, or `apart` by so much (m), so that they fall on each other."""
     world = World(gravity=(0, -9.81), kernels=kernels)
     world.add(Wall((-50, 0), (50, 0)), friction=0.6)
     for row in range(base):
         for i in range(base - row):
             x = (i - (base - row) / 2) * 1.05
-            world.add(Polygon.box(1, 1), position=(x, row + 0.5), friction=0.6)
+            y = row + 0.5 + apart * (row + 1)
+            world.add(Polygon.box(1, 1), position=(x, y), friction=0.6)
     return world
 
 
@@ -69,6 +70,7 @@ SCENES: dict[str, Callable[[str], World]] = {
     "gas, 100": lambda kernels: gas(100, kernels),
     "pile, 12": pile,
     "pyramid, base 10": lambda kernels: pyramid(10, kernels),
+    "the same, landing": lambda kernels: pyramid(10, kernels, 1e-3),
 }
 
 

@@ -169,7 +169,7 @@ def test_a_crowd_comes_to_rest_with_its_books_balanced() -> None:
     world.add(Wall((-20, 0), (20, 0)), friction=0.6)
     base = 9
     boxes = [
-        world.add(Box(1, 1), position=(1.05 * (i - (base - row) / 2), row + 0.5), friction=0.6)
+        world.add(Box(1, 1), position=(1.05 * (i - (base - row) / 2), row + 0.501), friction=0.6)
         for row in range(base)
         for i in range(base - row)
     ]
