@@ -215,19 +215,22 @@ laws_at = at_address(Laws, words(Tables))
 
 def directory(tables: Tables, laws: Laws) -> Any:
     """The array of addresses of all columns, then the laws, for `tables_at` and `laws_at`."""
-    addresses = [address_of(column) for table in tables for column in table]
+    addresses = [address for table in tables for address in addresses_of(table)]
     scalars = np.zeros(len(laws), np.int64)
     for i, (value, kind) in enumerate(zip(laws, get_type_hints(Laws).values(), strict=True)):
         scalars.view(np.float64 if kind is float else np.int64)[i] = value
     return np.concatenate((np.array(addresses, np.int64), scalars))
 
 
-def address_of(column: Any) -> int:
-    """Where the numbers of a column begin.
+def addresses_of(table: Any) -> list[int]:
+    """Where the numbers of each column of a table begin.
 
-    Asking numpy takes seven times as long, which is most of a new world's first tick.
+    Asking numpy takes seven times as long, which was most of a new world's first tick.
     """
-    return addressof(c_char.from_buffer(column[:1])) if len(column) else 0
+    if len(table[0]) == 0:
+        return [0] * len(table)
+    begin = c_char.from_buffer
+    return [addressof(begin(column[:1])) for column in table]
 
 
 @infer_global(copy_row)
