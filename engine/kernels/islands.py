@@ -78,6 +78,9 @@ def wait_steadily(t: Tables, count: int, resting: int, dt: float) -> tuple[int, 
     if steadiness == MOVING:
         if islands > 1:
             put_off_strays(t, count)
+        if bear_anew(t, count, waiting, dt):
+            steadiness = balance(t, count, waiting, dt)
+    if steadiness == MOVING:
         take_back_new(t, waiting)
         waiting = 0
         end_waiting(t, count)
@@ -114,7 +117,7 @@ def find_steady(t: Tables, count: int, resting: int, dt: float) -> int:
     if (calm == 0 and not built) or t.braces.sizes[0] > 0:
         return 0
     connect(t, resting)
-    if built and stand(t, count, resting, dt) + calm == 0:
+    if built and stand(t, count, resting, dt, False) + calm == 0:
         return 0
     for k in range(resting):
         bodies.stirred[island_of(t, t.pairs.resting[k])] = 0
@@ -149,6 +152,18 @@ def connect(t: Tables, resting: int) -> None:
         if parent < bones.sizes[1]:
             body = bones.body[parent]
             bodies.cluster[cluster_of(t, bones.body[k])] = cluster_of(t, body)
+
+
+def bear_anew(t: Tables, count: int, waiting: int, dt: float) -> bool:
+    """Find loads that bear other forces than before in a tick (s); return whether all that waits
+    can bear them, and stands.
+    """
+    stand(t, count, waiting, dt, True)
+    bodies = t.bodies
+    for row in range(count):
+        if bodies.waits[row] == STEADILY and bodies.stirred[cluster_of(t, row)] == 1:
+            return False
+    return True
 
 
 def pair_waits(t: Tables, pair: int) -> bool:

@@ -60,13 +60,14 @@ def moves(t: Tables, row: int) -> bool:
     return bodies.vx[row] != 0.0 or bodies.vy[row] != 0.0 or bodies.spin[row] != 0.0
 
 
-def stand(t: Tables, count: int, resting: int, dt: float) -> int:
-    """Let islands that are new and in equilibrium be steady in a tick of `dt` seconds.
+def stand(t: Tables, count: int, resting: int, dt: float, anew: bool) -> int:
+    """Let islands that are new, or all that are listed, `anew`, be steady in a tick of `dt` seconds
+    if they are in equilibrium.
 
-    Islands are known (see `islands.connect`), and `Bodies.stirred` is 1 for all. Returns how many
-    bodies stand.
+    Islands are known (see `islands.connect`); `Bodies.stirred` is 1 for those that are not listed,
+    and is 0 afterwards for those that stand. Returns how many bodies do.
     """
-    choose(t, count, resting, dt)
+    choose(t, count, resting, dt, anew)
     see_to_all(t, resting, queue_tops(t, count, resting))
     bodies = t.bodies
     for row in range(count):
@@ -85,14 +86,14 @@ def stand(t: Tables, count: int, resting: int, dt: float) -> int:
     return standing
 
 
-def choose(t: Tables, count: int, resting: int, dt: float) -> None:
-    """Choose new islands of bodies that touch and do not move, and let forces kick all that rests;
-    `Bodies.stirred` is then 0 for the chosen ones.
+def choose(t: Tables, count: int, resting: int, dt: float, anew: bool) -> None:
+    """Choose islands of bodies that touch and do not move, and let forces kick all that rests;
+    `Bodies.stirred` is then 0 for the chosen ones. See `stand`.
     """
     bodies = t.bodies
     now = number_of_tick(t)
     for k in range(resting):
-        if t.pairs.touched[t.pairs.resting[k]] == now:
+        if anew or t.pairs.touched[t.pairs.resting[k]] == now:
             bodies.stirred[island_of(t, t.pairs.resting[k])] = 0
     for row in range(count):
         if bodies.held[row] > 0:
@@ -111,16 +112,20 @@ def choose(t: Tables, count: int, resting: int, dt: float) -> None:
 
 
 def lies_close(t: Tables, pair: int) -> bool:
-    """Whether all points of a contact touch, and neither it nor what is below it runs."""
+    """Whether all points of a contact touch, and neither it nor what is below it runs; what was
+    steady gapes and overlaps as it may.
+    """
     follow(t, pair, 0.0)
     if has_drifted(t, pair):
         find_points(t, pair, 0.0)
     pairs = t.pairs
     if pairs.points[pair] == 0 or pairs.belt_speed[pair] != 0.0:
         return False
+    size = pairs.size[pair]
     for row in range(2 * pair, 2 * pair + pairs.points[pair]):
         gap = t.contacts.gap[row]
-        if gap > TOUCHING * pairs.size[pair] or gap < -OVERLAP * pairs.size[pair]:
+        bore = pairs.steady[pair] == 1 and (gap < 0.0 or t.contacts.normal_load[row] > 0.0)
+        if not bore and (gap > TOUCHING * size or gap < -OVERLAP * size):
             return False
     return not (moves(t, pairs.a[pair]) or moves(t, pairs.b[pair]))
 

@@ -28,6 +28,26 @@ def steady_pairs(world: World) -> int:
     return sum(pairs.steady[i] for i in range(used) if pairs.state[i] == 1)
 
 
+def test_what_stands_bears_other_forces_at_once() -> None:
+    """Gravity that turns, a push, a body that is taken away: rigid bodies do not spring back."""
+    world = flat()
+    boxes = [box(world, 0, i + 0.5) for i in range(5)]
+    world.run(20)
+    at_rest = world.state()
+    world.gravity = (0.3 * G, -2 * G)
+    world.run(3)
+    assert (world.state() == at_rest).all()
+    boxes[2].exert(Force(-3 * 0.3 * G, 0))
+    world.run(3)
+    assert (world.state() == at_rest).all()
+    world.remove(boxes[4])
+    world.run(3)
+    assert (world.state() == at_rest[:-1]).all()
+    world.gravity = (0.6 * 2 * G, -2 * G)
+    world.run(3)
+    assert boxes[3].vx > 0.1
+
+
 @pytest.fixture
 def tries(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     """How many bodies stood in each trial."""
