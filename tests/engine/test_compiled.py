@@ -38,6 +38,7 @@ from engine import (
 )
 from engine.jit import compiled
 from engine.modes import INTERPRETED
+from engine.tables import ROWS
 from tests.benchmarks.engine_steps import SCENES, gas, pyramid
 
 pytest.importorskip("numba")
@@ -326,5 +327,6 @@ def test_tables_that_grow_are_followed() -> None:
         world.restore(saved)
         world.remove(world.body(7))
         world.step()
+        assert world.store.tables.progress.room[0] > ROWS["pairs"]
     assert worlds[0].digest() == worlds[1].digest()
     assert INTERPRETED.compiled is False
