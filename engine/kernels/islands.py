@@ -14,7 +14,7 @@ from engine.kernels.books import book_part
 from engine.kernels.contacts import correct_arms, relax
 from engine.kernels.halting import book_fixed, hand_on
 from engine.kernels.resting import place_middle
-from engine.kernels.standing import is_built, stand, take_back_new
+from engine.kernels.standing import is_built, moves, stand, take_back_new
 from engine.kernels.steady import (
     BALANCED,
     BEARING,
@@ -158,8 +158,11 @@ def bear_anew(t: Tables, count: int, waiting: int, dt: float) -> bool:
     """Find loads that bear other forces than before in a tick (s); return whether all that waits
     can bear them, and stands.
     """
-    stand(t, count, waiting, dt, True)
     bodies = t.bodies
+    for row in range(count):
+        if bodies.waits[row] == STEADILY and (bodies.joined[row] == 1 or moves(t, row)):
+            return False
+    stand(t, count, waiting, dt, True)
     for row in range(count):
         if bodies.waits[row] == STEADILY and bodies.stirred[cluster_of(t, row)] == 1:
             return False
