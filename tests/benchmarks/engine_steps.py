@@ -70,7 +70,7 @@ SCENES: dict[str, Callable[[str], World]] = {
     "gas, 100": lambda kernels: gas(100, kernels),
     "pile, 12": pile,
     "pyramid, base 10": lambda kernels: pyramid(10, kernels),
-    "the same, landing": lambda kernels: pyramid(10, kernels, 1e-3),
+    "the same, landed": lambda kernels: pyramid(10, kernels, 1e-3),
 }
 
 
