@@ -37,6 +37,7 @@ SOURCES = (
     "kernels.accelerate",
     "kernels.aftermath",
     "kernels.agenda",
+    "kernels.bearing",
     "kernels.books",
     "kernels.broadphase",
     "kernels.circles",
