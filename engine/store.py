@@ -36,8 +36,8 @@ from engine.tables import (
 from engine.tables.linkage import BREAKING, BROKEN
 
 PAIRS = 12
-"""Pairs for which there is room at least, of each piece: memory that nobody writes to costs nothing,
-a larger table costs a copy of all that it holds."""
+"""Pairs for which there is room at least, of each piece: memory that nobody writes to costs
+nothing, a larger table costs a copy of all that it holds."""
 
 
 class Store:
