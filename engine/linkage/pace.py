@@ -10,9 +10,11 @@ import math
 from engine.tables import Tables
 
 SWING = 0.035
-"""By so much the bodies of a tree turn in a part, as their root mean square (rad)."""
+"""By so much the one body of a tree turns in a part (rad); those of a tree of n bodies, as their root
+mean square, by the fourth root of n times as much: what their phases err by is of all signs, so the
+error of the whole is that of one body over the square root of n."""
 
-WHIP = 0.08
+WHIP = 0.16
 """By so much the fastest of them turns, as long as parts are no shorter than substeps (rad)."""
 
 HANG = 0.049
@@ -105,7 +107,8 @@ def paces(t: Tables) -> tuple[float, float, float]:
             fastest = square
     for at in range(bones.sizes[10]):
         tree = trees.acting[at]
-        pace = math.sqrt(trees.worst[tree] / trees.limbs[tree]) / SWING
+        limbs_of = float(trees.limbs[tree])
+        pace = math.sqrt(trees.worst[tree] / (limbs_of * math.sqrt(limbs_of))) / SWING
         if pace > slowest:
             slowest = pace
     return slowest, fastest, waving
