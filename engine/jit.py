@@ -92,6 +92,7 @@ SOURCES = (
     "kernels.sticking",
     "kernels.sweeps",
     "kernels.touches",
+    "kernels.turns",
     "kernels.travel",
     "kernels.tick",
 )

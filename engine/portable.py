@@ -132,6 +132,7 @@ COUNTS = (
 DERIVED = (
     "bodies.first_link",
     "bodies.links",
+    "bodies.first_ignored",
     "bodies.joined",
     "bodies.waits",
     "bodies.cluster",

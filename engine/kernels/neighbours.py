@@ -43,6 +43,7 @@ def find_neighbours(t: Tables, pieces: int, room: int) -> int:
 
     Returns their number; if it is more than `room`, not all were written.
     """
+    find_ignored(t)
     if pieces <= FEW:
         return compare_all(t, pieces, room)
     found = search_grid(t, pieces, room)
@@ -71,21 +72,34 @@ def may_touch(t: Tables, a: int, b: int) -> bool:
     group = bodies.group[body_a]
     if group != 0 and group == bodies.group[body_b]:
         return False
-    return not ignored(t, bodies.id[body_a], bodies.id[body_b])
+    return not ignores(t, body_a, body_b)
 
 
-def ignored(t: Tables, a: int, b: int) -> bool:
-    """Whether two bodies, by their ids, a < b, were told to pass through each other."""
-    low = 0
-    high = t.counts.ignored[0]
+def find_ignored(t: Tables) -> None:
+    """Find for each body the first row of those behind it which it ignores; the rows of the next
+    body begin where they end.
+    """
+    bodies = t.bodies
+    row = 0
+    for body in range(t.counts.bodies[0]):
+        while row < t.counts.ignored[0] and t.ignored.a[row] < bodies.id[body]:
+            row += 1
+        bodies.first_ignored[body] = row
+
+
+def ignores(t: Tables, a: int, b: int) -> bool:
+    """Whether two bodies, a standing before b, were told to pass through each other."""
+    low = t.bodies.first_ignored[a]
+    end = t.bodies.first_ignored[a + 1]
+    high = end
+    other = t.bodies.id[b]
     while low < high:
         middle = (low + high) // 2
-        other = t.ignored.a[middle]
-        if other < a or (other == a and t.ignored.b[middle] < b):
+        if t.ignored.b[middle] < other:
             low = middle + 1
         else:
             high = middle
-    return low < t.counts.ignored[0] and t.ignored.a[low] == a and t.ignored.b[low] == b
+    return low < end and t.ignored.b[low] == other
 
 
 def compare_all(t: Tables, pieces: int, room: int) -> int:

@@ -1,15 +1,15 @@
 """How impulses of hinges get to the bodies and back: bones hold what the limbs change."""
 
-from engine.linkage.jolts import jolt_start
 from engine.tables import Tables
 
 
 def read_means(t: Tables) -> None:
     """Read the mean velocities over the part, or over its second half where hinges act through it
-    all, that is those of its end; what joints lend is nothing yet.
+    all, that is those of its end; what joints lend is nothing yet, unless bodies did not get it.
     """
     bones = t.bones
     bodies = t.bodies
+    delivered = bones.sizes[7] > 0
     for at in range(bones.sizes[9]):
         bone = bones.acting[at]
         row = bones.body[bone]
@@ -19,7 +19,8 @@ def read_means(t: Tables) -> None:
             bones.vx[bone] = (bodies.vx[row] + bodies.kick_x[row]) / 2.0
             bones.vy[bone] = (bodies.vy[row] + bodies.kick_y[row]) / 2.0
             bones.spin[bone] = (bodies.spin[row] + bodies.kick_spin[row]) / 2.0
-            lend_nothing(t, bone)
+            if delivered:
+                lend_nothing(t, bone)
     read_held(t)
 
 
@@ -93,8 +94,17 @@ def lend_all(t: Tables) -> None:
             lend_child(t, k)
 
 
+def give_all(t: Tables) -> None:
+    """Note that the bodies got what the limbs exert."""
+    limbs = t.limbs
+    for run in range(t.bones.sizes[12]):
+        for k in range(t.bones.run_first[run], t.bones.run_end[run]):
+            limbs.given_x[k] = limbs.impulse_x[k]
+            limbs.given_y[k] = limbs.impulse_y[k]
+
+
 def lend_limb(t: Tables, k: int) -> None:
-    """Let one limb do so."""
+    """Let what one limb exerts change the velocities of its bones."""
     lend_parent(t, k, t.limbs.parent[k])
     lend_child(t, k)
 
@@ -112,13 +122,11 @@ def lend_parent(t: Tables, k: int, parent: int) -> None:
 
 
 def lend_child(t: Tables, k: int) -> None:
-    """Let it change that of the child; then it is given."""
+    """Let it change that of the child."""
     bones = t.bones
     limbs = t.limbs
     x = limbs.impulse_x[k] - limbs.given_x[k]
     y = limbs.impulse_y[k] - limbs.given_y[k]
-    limbs.given_x[k] = limbs.impulse_x[k]
-    limbs.given_y[k] = limbs.impulse_y[k]
     turn = limbs.arm_x[k] * y - limbs.arm_y[k] * x
     bones.lent_x[k] += bones.inverse_mass[k] * x
     bones.lent_y[k] += bones.inverse_mass[k] * y
@@ -128,16 +136,38 @@ def lend_child(t: Tables, k: int) -> None:
 def deliver_starts(t: Tables) -> None:
     """Give what joints lent to the bodies, from the start of the part on, or all through it."""
     bones = t.bones
+    bodies = t.bodies
+    work = 0.0
+    total_x = 0.0
+    total_y = 0.0
     for at in range(bones.sizes[9]):
         bone = bones.acting[at]
         if t.trees.evenly[bones.tree[bone]] == 1:
             deliver_end(t, bone)
-        else:
-            x = bones.lent_x[bone]
-            y = bones.lent_y[bone]
-            jolt_start(t, bones.body[bone], x, y, bones.lent_spin[bone])
-            bones.sum_x[bone] += x
-            bones.sum_y[bone] += y
+            continue
+        row = bones.body[bone]
+        mass = bones.mass[bone]
+        x = bones.lent_x[bone]
+        y = bones.lent_y[bone]
+        spin = bones.lent_spin[bone]
+        vx = bodies.vx[row]
+        vy = bodies.vy[row]
+        turning = bodies.spin[row]
+        work += mass * (x * (vx + x / 2.0) + y * (vy + y / 2.0))
+        work += bones.inertia[bone] * spin * (turning + spin / 2.0)
+        total_x += mass * x
+        total_y += mass * y
+        bodies.vx[row] = vx + x
+        bodies.vy[row] = vy + y
+        bodies.spin[row] = turning + spin
+        bodies.kick_x[row] += x
+        bodies.kick_y[row] += y
+        bodies.kick_spin[row] += spin
+        bones.sum_x[bone] += x
+        bones.sum_y[bone] += y
+    t.books.joint_work[0] += work
+    t.books.joint_x[0] += total_x
+    t.books.joint_y[0] += total_y
 
 
 def deliver_ends(t: Tables) -> None:

@@ -12,6 +12,7 @@ from engine.linkage.limb_impulses import (
     add_up_limb,
     deliver_starts,
     forget_jolts,
+    give_all,
     lend_all,
     read_means,
 )
@@ -31,20 +32,30 @@ from engine.linkage.limbs import (
     stand,
     stands,
 )
-from engine.linkage.modes import CLOSING, TIGHT
+from engine.linkage.modes import CLOSING
 from engine.tables import Tables
 
 MOST_STEPS = 40
 """Steps of Newton's method that a part has at most."""
 
+TIGHT = 3e-9
+"""Hinges hold to this share of the smaller body's reach."""
+
 CHORDS = 2
 """So many steps are taken with the matrix of the first; then each has its own."""
+
+FAR = 1e-3
+"""If hinges would gape by more at first, in reaches of the smaller body, the second step has a
+matrix of its own, too: with that of the first it would hardly come closer."""
 
 SURE = 0.1
 """Share of the tolerance that a step is expected to miss by if it is not looked at again."""
 
 LOOSE = 1e-3
 """A tree whose hinges would gape by more after all steps is lost, in reaches of the small body."""
+
+MANY = 3
+"""If one tree in so many needs a step, all take it, side by side."""
 
 STRIDE = 0.25
 """Longest step, in the same unit."""
@@ -82,8 +93,9 @@ def brace_limbs(t: Tables, part: float) -> None:
         else:
             expect_impulse(t, k, part)
     lend_all(t)
-    deliver_starts(t)
-    if t.bones.sizes[7] > 0:
+    if t.bones.sizes[7] > 0:  # contacts have to know; else bodies get it with what is still missing
+        deliver_starts(t)
+        give_all(t)
         aim_sweeps(t, True)
 
 
@@ -101,18 +113,28 @@ def close_slowly(t: Tables, k: int, part: float) -> None:
 
 
 def expect_impulse(t: Tables, k: int, part: float) -> None:
-    """Set what a limb will exert at the start of the part (s), judging by the parts before: that
-    what changed between the last two of them changes again.
+    """Set what a limb will exert at the start of the part (s), judging by the parts before.
+
+    If that was done at the end of the last one, the two differ as they did before: what changed of
+    the difference changes again. What is still owed comes to it: the force goes on to grow.
     """
+    limbs = t.limbs
     joints = t.joints
-    joint = t.limbs.joint[k]
-    half = t.limbs.sign[k] * part / 2.0
-    lag_x = joints.lag_0[joint] + (joints.lag_0[joint] - joints.older_0[joint])
-    lag_y = joints.lag_1[joint] + (joints.lag_1[joint] - joints.older_1[joint])
-    t.limbs.impulse_x[k] = half * (joints.end_0[joint] + part * lag_x)
-    t.limbs.impulse_y[k] = half * (joints.end_1[joint] + part * lag_y)
-    t.limbs.given_x[k] = 0.0
-    t.limbs.given_y[k] = 0.0
+    joint = limbs.joint[k]
+    owed = t.progress.owed[0]
+    limbs.given_x[k] = 0.0
+    limbs.given_y[k] = 0.0
+    half = limbs.sign[k] * (part + owed) / 2.0
+    if owed > 0.0:
+        before = joints.part[joint]
+        limbs.impulse_x[k] = half * (joints.mean_0[joint] + before * joints.rise_0[joint])
+        limbs.impulse_y[k] = half * (joints.mean_1[joint] + before * joints.rise_1[joint])
+        return
+    share = joints.since[joint] / joints.spacing[joint] if joints.spacing[joint] > 0.0 else 0.0
+    lag_x = joints.lag_0[joint] + (joints.lag_0[joint] - joints.older_0[joint]) * share
+    lag_y = joints.lag_1[joint] + (joints.lag_1[joint] - joints.older_1[joint]) * share
+    limbs.impulse_x[k] = half * (joints.end_0[joint] + part * lag_x)
+    limbs.impulse_y[k] = half * (joints.end_1[joint] + part * lag_y)
 
 
 def bind_limbs(t: Tables, part: float) -> float:
@@ -126,7 +148,7 @@ def bind_limbs(t: Tables, part: float) -> float:
     failed = 0.0
     for step in range(MOST_STEPS):
         bend(t)
-        renewing = t.bones.sizes[6] == 0 or step >= CHORDS
+        renewing = t.bones.sizes[6] == 0 or step >= CHORDS or failed > FAR * FAR
         measure_limbs(t, renewing)
         if step == 0:
             if expect_nothing_far(t):
@@ -134,9 +156,6 @@ def bind_limbs(t: Tables, part: float) -> float:
                 measure_limbs(t, renewing)
             failed = note_first(t)
         going, alike, sure = choose_steps(t, renewing)
-        if going == 0 and step == 0:
-            t.bones.sizes[5] = 0
-            return math.sqrt(failed) / part
         if going == 0:
             break
         if renewing:
@@ -182,8 +201,10 @@ def expect_nothing_far(t: Tables) -> bool:
                     far = True
     if far:
         lend_all(t)
-        deliver_starts(t)
-        read_means(t)
+        if t.bones.sizes[7] > 0:
+            deliver_starts(t)
+            give_all(t)
+            read_means(t)
     return far
 
 
@@ -219,9 +240,9 @@ def note_first(t: Tables) -> float:
 
 
 def choose_steps(t: Tables, renewing: bool) -> tuple[int, bool, bool]:
-    """Say what each tree does next; return how many go on, whether all do a whole step, and whether
-    that is sure to be the last: what a step misses is nearly the product of this miss and the one
-    for which the matrix was made.
+    """Say what each tree does next; return how many go on, whether all are to do a whole step, and
+    whether that is sure to be the last: what a step misses is nearly the product of this miss and
+    the one for which the matrix was made.
     """
     trees = t.trees
     going = 0
@@ -235,7 +256,6 @@ def choose_steps(t: Tables, renewing: bool) -> tuple[int, bool, bool]:
             trees.made_for[tree] = worst
         if worst <= TIGHT * TIGHT:
             trees.does[tree] = DONE
-            alike = False
             continue
         going += 1
         if worst > trees.before[tree]:
@@ -250,7 +270,7 @@ def choose_steps(t: Tables, renewing: bool) -> tuple[int, bool, bool]:
         if worst > STRIDE * STRIDE:
             trees.share[tree] = STRIDE / math.sqrt(worst)
             alike = False
-    return going, alike, sure
+    return going, alike and MANY * going >= t.bones.sizes[10], sure
 
 
 def take_all(t: Tables) -> None:
@@ -322,7 +342,8 @@ def keep_limb_impulses(t: Tables, part: float) -> None:
     """Note what the limbs exert at the start of the part (s), or all through it."""
     joints = t.joints
     limbs = t.limbs
-    twice = 2.0 / part
+    owed = t.progress.owed[0]
+    per = 2.0 / (part + owed)
     for at in range(t.bones.sizes[8]):
         k = t.bones.acting[at]
         joint = limbs.joint[k]
@@ -334,11 +355,37 @@ def keep_limb_impulses(t: Tables, part: float) -> None:
         y = limbs.sign[k] * limbs.impulse_y[k]
         joints.impulse_0[joint] = x
         joints.impulse_1[joint] = y
-        lag_x = (twice * x - joints.end_0[joint]) / part
-        lag_y = (twice * y - joints.end_1[joint]) / part
-        jump = 4.0 * JUMP * JUMP * (x * x + y * y) / (part * part * part * part)
-        smooth = lag_x * lag_x + lag_y * lag_y <= jump
-        joints.older_0[joint] = joints.lag_0[joint] if smooth else lag_x
-        joints.older_1[joint] = joints.lag_1[joint] if smooth else lag_y
-        joints.lag_0[joint] = lag_x
-        joints.lag_1[joint] = lag_y
+        x *= per
+        y *= per
+        if owed > 0.0:
+            joints.end_0[joint] = x
+            joints.end_1[joint] = y
+        else:
+            keep_lag(t, joint, x - joints.end_0[joint], y - joints.end_1[joint], part, x, y)
+            x = (x + joints.end_0[joint]) / 2.0
+            y = (y + joints.end_1[joint]) / 2.0
+        before = joints.part[joint]
+        often = 1.0 / before if before > 0.0 else 0.0
+        joints.rise_0[joint] = (x - joints.mean_0[joint]) * often
+        joints.rise_1[joint] = (y - joints.mean_1[joint]) * often
+        joints.mean_0[joint] = x
+        joints.mean_1[joint] = y
+        joints.part[joint] = part
+        joints.since[joint] += part
+
+
+def keep_lag(
+    t: Tables, joint: int, more_x: float, more_y: float, part: float, x: float, y: float
+) -> None:
+    """Note by how much more (N) a hinge exerts at the start of a part (s), of a force (N)."""
+    joints = t.joints
+    lag_x = more_x / part
+    lag_y = more_y / part
+    jump = JUMP * JUMP * (x * x + y * y) / (part * part)
+    smooth = lag_x * lag_x + lag_y * lag_y <= jump
+    joints.older_0[joint] = joints.lag_0[joint] if smooth else lag_x
+    joints.older_1[joint] = joints.lag_1[joint] if smooth else lag_y
+    joints.lag_0[joint] = lag_x
+    joints.lag_1[joint] = lag_y
+    joints.spacing[joint] = joints.since[joint]
+    joints.since[joint] = 0.0

@@ -10,7 +10,13 @@ of the error of hinges is taken by an exact solution (`limb_motion`, `limb_veloc
 
 from engine.kernels.sweeps import QUIET, STIRRED, WILD, WILDLY, sweep
 from engine.linkage.jolts import jolt
-from engine.linkage.limb_impulses import deliver_starts, forget_jolts, lend_all, read_held
+from engine.linkage.limb_impulses import (
+    deliver_starts,
+    forget_jolts,
+    give_all,
+    lend_all,
+    read_held,
+)
 from engine.linkage.limbs import gather_masses, place_bone, place_limb
 from engine.tables import Tables
 
@@ -79,6 +85,7 @@ def bear_evenly(t: Tables, part: float) -> None:
         expect_evenly(t, t.bones.acting[at], part)
     lend_all(t)
     deliver_starts(t)
+    give_all(t)
     aim_sweeps(t, False)
 
 

@@ -22,6 +22,7 @@ that in each loop all rows are one after another: a processor does several at on
 
 import math
 
+from engine.kernels.turns import MANY_TURNS, turned
 from engine.linkage.geometry import TORN
 from engine.tables import Tables
 
@@ -59,13 +60,30 @@ def stand(t: Tables) -> None:
     """Place all bones where their bodies are now, and the limbs."""
     bones = t.bones
     bodies = t.bodies
+    far = 0.0
     for at in range(bones.sizes[11]):
         bone = bones.acting[at]
         row = bones.body[bone]
+        x = 0.0
+        y = 0.0
+        angle = 0.0
         if row >= 0:
-            place_bone(t, bone, bodies.x[row], bodies.y[row], bodies.angle[row])
-        else:
-            place_bone(t, bone, 0.0, 0.0, 0.0)
+            x = bodies.x[row]
+            y = bodies.y[row]
+            angle = bodies.angle[row]
+        bones.x[bone] = x
+        bones.y[bone] = y
+        bones.angle[bone] = angle
+        far = angle if angle > far else far
+        far = -angle if -angle > far else far
+    if far < MANY_TURNS:
+        for bone in range(bones.sizes[2]):  # side by side; what does not act is not read
+            bones.cos[bone], bones.sin[bone] = turned(bones.angle[bone])
+    else:
+        for at in range(bones.sizes[11]):
+            bone = bones.acting[at]
+            bones.cos[bone] = math.cos(bones.angle[bone])
+            bones.sin[bone] = math.sin(bones.angle[bone])
     for run in range(bones.sizes[12]):
         lead = bones.run_lead[run]
         for k in range(bones.run_first[run], bones.run_end[run]):

@@ -10,9 +10,9 @@ import math
 from engine.tables import Tables
 
 SWING = 0.035
-"""By so much the one body of a tree turns in a part (rad); those of a tree of n bodies, as their root
-mean square, by the fourth root of n times as much: what their phases err by is of all signs, so the
-error of the whole is that of one body over the square root of n."""
+"""By so much the only body of a tree turns in a part (rad); those of a tree of n bodies, as their
+root mean square, by the fourth root of n times as much: their phases err to both sides, so that the
+error of the whole is that of one of them over the square root of n."""
 
 WHIP = 0.16
 """By so much the fastest of them turns, as long as parts are no shorter than substeps (rad)."""
@@ -111,7 +111,7 @@ def paces(t: Tables) -> tuple[float, float, float]:
         pace = math.sqrt(trees.worst[tree] / (limbs_of * math.sqrt(limbs_of))) / SWING
         if pace > slowest:
             slowest = pace
-    return slowest, fastest, waving
+    return slowest, fastest, 2.0 * math.sqrt(waving)
 
 
 def hanging_pace(t: Tables, k: int) -> float:
@@ -124,7 +124,8 @@ def hanging_pace(t: Tables, k: int) -> float:
 
 
 def wave_at(t: Tables, k: int, parent: int) -> float:
-    """Squared circular frequency (1/s^2) of bodies that turn to and fro as a hinge pulls.
+    """Square of half the squared circular frequency (1/s^4) of bodies that turn to and fro as a
+    hinge pulls.
 
     That is the fastest wave of a chain: each link turns against the next, its centre at rest.
     """
@@ -132,13 +133,15 @@ def wave_at(t: Tables, k: int, parent: int) -> float:
     bones = t.bones
     x = t.limbs.child_x[k]
     y = t.limbs.child_y[k]
-    lever = math.sqrt(x * x + y * y) * t.bodies.inverse_inertia[bones.body[k]]
+    ease = t.bodies.inverse_inertia[bones.body[k]]
+    lever = (x * x + y * y) * (ease * ease)
     if parent < bones.sizes[1]:
         x = t.limbs.parent_x[k]
         y = t.limbs.parent_y[k]
-        other = math.sqrt(x * x + y * y) * t.bodies.inverse_inertia[bones.body[parent]]
+        ease = t.bodies.inverse_inertia[bones.body[parent]]
+        other = (x * x + y * y) * (ease * ease)
         if other > lever:
             lever = other
     x = t.joints.end_0[joint]
     y = t.joints.end_1[joint]
-    return 2.0 * lever * math.sqrt(x * x + y * y)
+    return lever * (x * x + y * y)

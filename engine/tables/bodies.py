@@ -198,6 +198,8 @@ class Bodies(NamedTuple):
     first_link: Ints
     """First row in `Links`, and number of rows: the pairs of this body."""
     links: Ints
+    first_ignored: Ints
+    """First row in `Ignored` of those in which it is a, as pairs were last looked for."""
 
 
 class Pieces(NamedTuple):

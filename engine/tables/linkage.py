@@ -69,11 +69,21 @@ class Joints(NamedTuple):
     """Of a hinge of a tree: what it exerted at the end of that part, as a force (N)."""
     end_1: Floats
     lag_0: Floats
-    """By how much it exerted more at the start of a part, divided by its length (N/s)."""
+    """By how much it exerted more at the start of a part than at the end of the one before, divided
+    by the length of the part (N/s)."""
     lag_1: Floats
     older_0: Floats
-    """The same in the part before (N/s)."""
+    """The same when it was noted before (N/s),"""
     older_1: Floats
+    since: Floats
+    """how long ago the former was noted, and how much longer ago the latter (s)."""
+    spacing: Floats
+    mean_0: Floats
+    """What it exerted about the start of that part, as a force (N),"""
+    mean_1: Floats
+    rise_0: Floats
+    """and how fast that grew from the start of the part before on (N/s)."""
+    rise_1: Floats
     part: Floats
     """Length of that part (s)."""
     sum_x: Floats

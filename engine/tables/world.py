@@ -144,6 +144,9 @@ class Progress(NamedTuple):
     """1 once something hit what waits, or came to rest on it; see `islands`."""
     begins: Ints
     """1 once a pair came to rest in the present tick; see `standing`."""
+    owed: Floats
+    """Length of the part (s) at whose end hinges have not acted: they do so together with what they
+    exert at the start of the next; 0: they have. See `travel`."""
     stalled: Ints
     """Parts in a row that ended as they began; see `resting.STALLS`."""
     sweeps: Ints
