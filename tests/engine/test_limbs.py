@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from engine import Body, Circle, Distance, Particle, Pin, Polygon, World
+from engine.kernels import travel
 from engine.linkage.limbs import gather_masses, resolve, solve_all, stand
 
 
@@ -190,3 +191,34 @@ def test_many_chains_swing_as_one() -> None:
         return [(link.x, link.y, link.angle) for link in links]
 
     assert swung(1) == swung(9)
+
+
+def test_hinges_solved_once_between_two_parts_move_as_if_solved_twice(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """What they exert at the end of a part, within a tick, is part of what they exert next."""
+
+    def whip(ticks: int) -> list[Body]:
+        world = World(gravity=(0, -9.81), integrator="velocity-verlet")
+        rods: list[Body] = []
+        for i in range(8):
+            rods.append(world.add(Polygon.box(0.4, 0.1), mass=1.0, position=(0.4 * i + 0.2, 0)))
+            rods[i].spin = 8.0 + i
+            rods[i].mask = 0
+            world.join(rods[i - 1] if i else None, rods[i], Pin(at=(0.4 * i, 0)))
+        for _ in range(ticks):
+            world.step()
+        return rods
+
+    once = whip(5)
+    owing = []
+    real = travel.only_hinges_act
+    monkeypatch.setattr(
+        travel, "only_hinges_act", lambda t, pairs: owing.append(real(t, pairs)) and False
+    )
+    twice = whip(5)
+    assert any(owing)
+    for a, b in zip(once, twice, strict=True):
+        assert a.position == pytest.approx(b.position, abs=1e-7)
+        assert a.velocity == pytest.approx(b.velocity, abs=1e-5)
+        assert a.spin == pytest.approx(b.spin, abs=1e-4)

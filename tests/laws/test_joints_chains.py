@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator
 
+import numpy as np
 import pytest
 
 from engine import Body, Circle, Distance, Joint, Particle, Pin, Polygon, Wall, World
@@ -115,3 +116,58 @@ def test_a_ball_rolls_down_a_hinged_ramp() -> None:
         world.step()
     rolling = 2 / 3 * G * math.sin(0.2)
     assert (ball.speed - start) / (world.time - before) == pytest.approx(rolling, rel=1e-2)
+
+
+@pytest.mark.parametrize("links", [2, 6, 20])
+def test_a_hanging_chain_of_rods_swings_in_its_slowest_mode(links: int) -> None:
+    """Small swings, with the angles of the rods as coordinates (Lagrange; Goldstein, 6.2):
+    M a'' = -g K a, where a rod carries those below it as a whole, so that M_ij = m L^2
+    (n - max(i, j) - 1/2) off the diagonal and m L^2 (n - i - 2/3) on it, and K_ii = m L
+    (n - i - 1/2), counted from 0 at the top.
+    """
+    length, small = 0.4, 1e-3
+    place = np.arange(links)
+    masses = length**2 * (links - np.maximum.outer(place, place) - 0.5)
+    masses[place, place] = length**2 * (links - place - 2 / 3)
+    stiffness = np.diag(G * length * (links - place - 0.5))
+    squares, shapes = np.linalg.eig(np.linalg.solve(masses, stiffness))
+    slowest = int(np.argmin(squares.real))
+    angles = small * shapes[:, slowest].real / np.abs(shapes[:, slowest].real).max()
+    world = World(gravity=(0, -G), integrator="velocity-verlet")
+    rods: list[Body] = []
+    x = y = 0.0
+    for i, angle in enumerate(angles):
+        half = (length / 2 * math.sin(angle), -length / 2 * math.cos(angle))
+        rod = Polygon.box(length, 1e-4)
+        at = (x + half[0], y + half[1])
+        rods.append(world.add(rod, mass=1.0, position=at, angle=angle - math.pi / 2))
+        world.join(rods[i - 1] if i else None, rods[i], Pin(at=(x, y)))
+        x, y = x + 2 * half[0], y + 2 * half[1]
+    period = 2 * math.pi / math.sqrt(squares.real[slowest])
+    times = []
+    before = rods[-1].x
+    while len(times) < 3:
+        world.step()
+        if before < 0 <= rods[-1].x:
+            times.append(world.time - rods[-1].x / rods[-1].vx)
+        before = rods[-1].x
+    assert (times[-1] - times[0]) / 2 == pytest.approx(period, rel=1e-4)
+
+
+def test_a_long_chain_that_falls_from_the_horizontal_keeps_its_energy() -> None:
+    """Twenty rods, for three seconds in which its end whips round at more than 30 rad/s."""
+    world = World(gravity=(0, -G), integrator="velocity-verlet")
+    rods: list[Body] = []
+    for i in range(20):
+        rods.append(world.add(Polygon.box(0.4, 0.1), mass=0.04, position=(0.4 * i + 0.2, 0)))
+        rods[i].mask = 0
+        world.join(rods[i - 1] if i else None, rods[i], Pin(at=(0.4 * i, 0)))
+    start, scale = world.kinetic_energy + world.potential_energy, 20 * 0.04 * G * 4
+    fastest = 0.0
+    for _ in range(180):
+        world.step()
+        fastest = max(fastest, *(abs(rod.spin) for rod in rods))
+        assert abs(world.kinetic_energy + world.potential_energy - start) < 1e-3 * scale
+        for joint in world.joints:
+            assert math.dist(*joint.anchors) < 1e-9
+    assert fastest > 30
