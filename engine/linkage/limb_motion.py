@@ -41,6 +41,10 @@ MOST_STEPS = 40
 TIGHT = 3e-9
 """Hinges hold to this share of the smaller body's reach."""
 
+AT_ONCE = 1e-12
+"""A guess is taken as it is if hinges gape by no more, in the same unit: guesses that are not
+corrected lead to worse ones."""
+
 CHORDS = 2
 """So many steps are taken with the matrix of the first; then each has its own."""
 
@@ -155,7 +159,7 @@ def bind_limbs(t: Tables, part: float) -> float:
                 bend(t)
                 measure_limbs(t, renewing)
             failed = note_first(t)
-        going, alike, sure = choose_steps(t, renewing)
+        going, alike, sure = choose_steps(t, renewing, AT_ONCE if step == 0 else TIGHT)
         if going == 0:
             break
         if renewing:
@@ -239,10 +243,10 @@ def note_first(t: Tables) -> float:
     return failed
 
 
-def choose_steps(t: Tables, renewing: bool) -> tuple[int, bool, bool]:
-    """Say what each tree does next; return how many go on, whether all are to do a whole step, and
-    whether that is sure to be the last: what a step misses is nearly the product of this miss and
-    the one for which the matrix was made.
+def choose_steps(t: Tables, renewing: bool, tight: float) -> tuple[int, bool, bool]:
+    """Say what each tree does next, unless it misses by no more than `tight`; return how many go
+    on, whether all are to do a whole step, and whether that is sure to be the last: what a step
+    misses is nearly the product of this miss and the one for which the matrix was made.
     """
     trees = t.trees
     going = 0
@@ -254,7 +258,7 @@ def choose_steps(t: Tables, renewing: bool) -> tuple[int, bool, bool]:
         trees.share[tree] = 1.0
         if renewing:
             trees.made_for[tree] = worst
-        if worst <= TIGHT * TIGHT:
+        if worst <= tight * tight:
             trees.does[tree] = DONE
             continue
         going += 1
