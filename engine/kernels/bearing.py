@@ -6,27 +6,31 @@ Its contacts with what lies below it bear it, if there are
 
 for the points i of these contacts, where w is the impulse and the angular impulse of forces, and of
 loads from above, within the tick, and J_i takes the motion of the body to that of point i along
-normal and tangent. Of many solutions that of equal springs is taken, f_i = J_i u with a common u,
-as far as they neither pull nor slide: three piecewise linear equations, H(u) u = -w with
-H = sum of J_i^T D_i J_i, are solved by Newton's method, D_i being how point i yields. So loads that
-statics leave open do not depend on who comes first.
+normal and tangent. Of many solutions that of equal springs is taken, f_i = D_i J_i u with a common
+u: stiff along the normal, where they only push, soft along the tangent, where they slide once
+friction can do no more, so that it does no more than it must. Three piecewise linear equations,
+H(u) u = -w with H = sum of J_i^T D_i J_i, are solved by Newton's method. So loads that statics
+leave open do not depend on who comes first.
 
 Until a body has been borne, its kick (see `Bodies`) is what forces and loads from above bring it;
 from then on it holds u, with angles in reaches.
 """
 
-from engine.kernels.sticking import APART, HELD, place_of
 from engine.tables import RESTING, Tables
 
 PASSES = 8
 """Passes of Newton's method at most: one finds what bears a body, another that it does, if no point
 opens or slides."""
 
-EXACT = 1e-10
+EXACT = 1e-12
 """What loads leave of the impulse of forces, as a share of it, counts as none."""
 
-SINGULAR = 1e-10
-"""Least determinant of springs that hold a body, as a share of the cube of their trace."""
+GRIP = 1e-2
+"""Stiffness of springs along the tangent, as a share of that along the normal."""
+
+FREE = 1e-14
+"""Springs that hold a body where its points let it glide or roll, as a share of these: no force
+drives it there, if it is borne at all."""
 
 LEVEL = 1e-6
 """Of two bodies whose weight presses them together by a smaller share of it, none rests on the
@@ -70,34 +74,36 @@ def bear(t: Tables, row: int) -> bool:
     if bodies.inverse_inertia[row] > 0.0:
         wt = bodies.inertia[row] * bodies.kick_spin[row] / bodies.reach[row]
     most = EXACT * (abs(wx) + abs(wy) + abs(wt))
+    x = y = turn = 0.0
     for i in range(PASSES):
+        bodies.kick_x[row] = x
+        bodies.kick_y[row] = y
+        bodies.kick_spin[row] = turn
         xx, xy, xt, yx, yy, yt, tx, ty, tt = springs(t, row, i == 0)
-        x = bodies.kick_x[row]
-        y = bodies.kick_y[row]
-        turn = bodies.kick_spin[row]
-        left = abs(xx * x + xy * y + xt * turn + wx)
-        left += abs(yx * x + yy * y + yt * turn + wy)
-        left += abs(tx * x + ty * y + tt * turn + wt)
-        if i > 0 and left <= most:
+        rx = xx * x + xy * y + xt * turn + wx
+        ry = yx * x + yy * y + yt * turn + wy
+        rt = tx * x + ty * y + tt * turn + wt
+        if i > 0 and abs(rx) + abs(ry) + abs(rt) <= most:
             return True
-        trace = xx + yy + tt
+        free = FREE * (xx + yy + tt)
+        xx += free
+        yy += free
+        tt += free
         det = xx * (yy * tt - yt * ty) + xy * (yt * tx - yx * tt) + xt * (yx * ty - yy * tx)
-        if abs(det) <= SINGULAR * trace * trace * trace:
+        if det == 0.0:
             return False
-        x = wx * (yy * tt - yt * ty) + wy * (xt * ty - xy * tt) + wt * (xy * yt - xt * yy)
-        y = wx * (yt * tx - yx * tt) + wy * (xx * tt - xt * tx) + wt * (xt * yx - xx * yt)
-        turn = wx * (yx * ty - yy * tx) + wy * (xy * tx - xx * ty) + wt * (xx * yy - xy * yx)
-        bodies.kick_x[row] = -x / det
-        bodies.kick_y[row] = -y / det
-        bodies.kick_spin[row] = -turn / det
+        x -= (rx * (yy * tt - yt * ty) + ry * (xt * ty - xy * tt) + rt * (xy * yt - xt * yy)) / det
+        y -= (rx * (yt * tx - yx * tt) + ry * (xx * tt - xt * tx) + rt * (xt * yx - xx * yt)) / det
+        turn -= (rx * (yx * ty - yy * tx) + ry * (xy * tx - xx * ty)) / det
+        turn -= rt * (xx * yy - xy * yx) / det
     return False
 
 
 def springs(
     t: Tables, row: int, stick: bool
 ) -> tuple[float, float, float, float, float, float, float, float, float]:
-    """Sum of J^T D J over the points that bear a body, row by row, D being how they yield to u: not
-    at all if they open, along the edge of the friction cone if they slide; all `stick` at first.
+    """Sum of J^T D J over the points that bear a body, row by row, D being how they answer u: not at
+    all if they open, along the edge of the friction cone if they slide; all `stick` at first.
 
     Angles are counted in reaches; a body that never turns is held by itself.
     """
@@ -115,7 +121,7 @@ def springs(
                 ax = nx
                 ay = ny
                 at = n
-                held = 1.0
+                held = GRIP
                 if not stick:
                     push, rub = share_of(t, pair, point, row)
                     if push == 0.0:
@@ -165,43 +171,13 @@ def share_of(t: Tables, pair: int, point: int, row: int) -> tuple[float, float]:
     push = nx * x + ny * y + n * turn
     if push <= 0.0:
         return 0.0, 0.0
-    rub = nx * y - ny * x + s * turn
+    rub = GRIP * (nx * y - ny * x + s * turn)
     most = t.pairs.static_friction[pair] * push
     if rub > most:
         rub = most
     elif rub < -most:
         rub = -most
     return push, rub
-
-
-def is_pinned(t: Tables, row: int) -> bool:
-    """Whether two pins, apart from each other, hold a body on what bears it; see `sticking`."""
-    pairs = t.pairs
-    pinned = False
-    pin_x = 0.0
-    pin_y = 0.0
-    least = APART * t.bodies.reach[row]
-    first = t.bodies.first_link[row]
-    for link in range(first, first + t.bodies.links[row]):
-        pair = t.links.pair[link]
-        if not bears(t, pair, row):
-            continue
-        push, rub = share_of(t, pair, 2 * pair, row)
-        other, more = 0.0, 0.0
-        if pairs.points[pair] == 2:
-            other, more = share_of(t, pair, 2 * pair + 1, row)
-        if abs(rub + more) >= HELD * pairs.static_friction[pair] * (push + other):
-            continue
-        for point in range(2 * pair, 2 * pair + pairs.points[pair]):
-            if (push if point == 2 * pair else other) > 0.0:
-                x, y = place_of(t, pair, point)
-                if pinned and (x - pin_x) * (x - pin_x) + (y - pin_y) * (y - pin_y) > least * least:
-                    return True
-                if not pinned:
-                    pinned = True
-                    pin_x = x
-                    pin_y = y
-    return False
 
 
 def hand_down(t: Tables, pair: int, row: int) -> int:

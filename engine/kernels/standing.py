@@ -3,13 +3,14 @@
 Where bodies that do not move begin to touch, their island is looked at body by body, each once all
 that rests on it has been seen to (shock propagation: Guendelman, Bridson and Fedkiw, "Nonconvex
 rigid bodies with stacking", SIGGRAPH 2003). What lies below a body counts as immovable and bears it
-(see `bearing`); the reactions become loads of what is below. If two pins then hold each body of the
-island on what bears it (see `sticking`), none of them can move, and all are steady at once. Else
-the tick takes its course: for discs, which one pin lets roll, for arches, and what only leans on
-each other. The same loads are looked for when those of what is steady no longer bear the forces.
+(see `bearing`); the reactions become loads of what is below. If each body of the island is borne,
+forces move none of them, and all are steady at once; what two pins hold cannot move at all (see
+`sticking`). Else the tick takes its course: for what topples or slides, for arches, and what only
+leans on each other. The same loads are looked for when those of what is steady no longer bear the
+forces.
 """
 
-from engine.kernels.bearing import NEITHER, bear, bears, hand_down, is_pinned, share_of, upper
+from engine.kernels.bearing import NEITHER, bear, bears, hand_down, share_of, upper
 from engine.kernels.following import find_points, follow, has_drifted
 from engine.kernels.resting import OVERLAP, TOUCHING
 from engine.kernels.steady import LONG
@@ -151,7 +152,7 @@ def see_to_all(t: Tables, queued: int) -> None:
         island = cluster_of(t, row)
         if t.bodies.stirred[island] == 1:
             continue
-        if not (bear(t, row) and is_pinned(t, row)):
+        if not bear(t, row):
             t.bodies.stirred[island] = 1
             continue
         first = t.bodies.first_link[row]

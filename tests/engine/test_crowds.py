@@ -19,10 +19,10 @@ def wall_of_bricks(rolling: float = 0.0) -> World:
     world.add(Wall((-20, 0), (20, 0)), friction=0.5)
     for row in range(5):
         for i in range(9):
-            place = (1.02 * i + 0.5 * (row % 2), 0.5 * row + 0.25)
+            place = (1.02 * i + 0.5 * (row % 2), 0.501 * row + 0.251)
             world.add(Box(1, 0.5), position=place, friction=0.5)
     for i in range(8):
-        disc = world.add(Circle(0.4), position=(1.02 * i + 0.7, 2.9), friction=0.5)
+        disc = world.add(Circle(0.4), position=(1.02 * i + 0.7, 2.906), friction=0.5)
         disc.rolling_resistance = rolling
     world.run(3)
     return world
