@@ -102,7 +102,7 @@ def bear(t: Tables, row: int) -> bool:
 def springs(
     t: Tables, row: int, stick: bool
 ) -> tuple[float, float, float, float, float, float, float, float, float]:
-    """Sum of J^T D J over the points that bear a body, row by row, D being how they answer u: not at
+    """Sum of J^T D J over the points that bear a body, row by row. D is how they answer u: not at
     all if they open, along the edge of the friction cone if they slide; all `stick` at first.
 
     Angles are counted in reaches; a body that never turns is held by itself.
