@@ -98,7 +98,8 @@ def wait_steadily(t: Tables, count: int, resting: int, dt: float) -> tuple[int, 
 
 
 def find_steady(t: Tables, count: int, resting: int, dt: float) -> int:
-    """Find steady islands of bodies that rest, and let their bodies wait; return their number.
+    """Find steady islands of bodies that rest, and let their bodies wait; return their number. What
+    was just built in equilibrium is steady too (see `standing`).
 
     Counts for how many ticks (s) bodies have been calm: to be called once a tick.
     """
