@@ -4,9 +4,9 @@ A list of pairs holds as long as no body can leave its box within the tick. It i
 and pairs in it that do not touch have no effect: results do not depend on how pairs were found.
 """
 
+from engine.kernels.escaping import MOST, farthest, farthest_turn, turns_out
 from engine.kernels.pose import put
 from engine.kernels.resting import KEEPING
-from engine.kernels.travel import MOST, farthest, farthest_turn, turns_out
 from engine.tables import Bodies, Pieces, Tables
 
 SLACK = 0.2

@@ -7,6 +7,7 @@ to read a full table of impacts, to ask rules that people wrote. Called again it
 from engine.kernels.accelerate import accelerate
 from engine.kernels.books import book_forces, is_forced
 from engine.kernels.broadphase import look_ahead
+from engine.kernels.escaping import runaway, runaways
 from engine.kernels.pairing import find_pairs
 from engine.kernels.parting import move_apart
 from engine.kernels.sleeping import fall_asleep, wake_in_time
@@ -22,7 +23,7 @@ from engine.kernels.status import (
     UNMIXED,
     WAITING,
 )
-from engine.kernels.travel import begin, end, runaway, runaways, travel
+from engine.kernels.travel import begin, end, travel
 from engine.settings import Laws
 from engine.tables import Tables, copy_row
 

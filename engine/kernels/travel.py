@@ -9,6 +9,7 @@ from engine.kernels.aftermath import await_corners, is_deflected, look_again, lo
 from engine.kernels.agenda import TOGETHER, dequeue, empty, next_to_meet
 from engine.kernels.books import book_lead, book_part
 from engine.kernels.contacts import correct_arms, relax
+from engine.kernels.escaping import has_escaped
 from engine.kernels.fields import lead_of_euler
 from engine.kernels.following import turning
 from engine.kernels.impacts import strike
@@ -22,11 +23,10 @@ from engine.kernels.meeting import (
     foresee_meetings,
     measure_ways,
 )
+from engine.kernels.owing import put_off
 from engine.kernels.pose import advance_all, drift_all
 from engine.kernels.resting import (
-    KEEPING,
     OVERLAP,
-    TOUCHING,
     count_holds,
     hold,
     settle,
@@ -49,10 +49,7 @@ from engine.linkage.tally import (
     joints_that_act,
     mean_forces,
 )
-from engine.tables import FREE, IMPACTS_AT_ONCE, NEVER, RESTING, Bodies, Tables
-
-MOST = 1e100
-"""Numbers beyond this (SI units) are those of a world that diverged."""
+from engine.tables import IMPACTS_AT_ONCE, NEVER, RESTING, Tables
 
 PLUNGE = 0.1
 """A pair that comes to rest bears nothing until its part is over. If it turns by more than this
@@ -128,11 +125,10 @@ def travel(
     """
     steady = 0
     steadiness = MOVING
+    untouched = False
     while now < dt:
         t.progress.roused[0] = 0
-        resting = 0
-        if t.progress.owed[0] == 0.0:
-            resting = settle(t, count, pair_count, substep)
+        resting = 0 if untouched else settle(t, count, pair_count, substep)
         if t.progress.roused[0] == 1 and steady > 0:
             end_steadily(t, count, steady, steadiness, dt, now, True)
             steady = 0
@@ -156,7 +152,7 @@ def travel(
             sense_passing(t, pair_count, part)
         status = DONE
         reached = part
-        alone = held == 0 and queued == 0 and steady == 0
+        clear = queued == 0 and steady == 0
         if queued > 0:
             loaded = held + joined
             status, reached, queued = meet_in_order(
@@ -170,10 +166,8 @@ def travel(
             advance_all(t.bodies, count, reached)
         if held > 0:
             end_contacts(t, held, count, first, now, part, reached)
-        t.progress.owed[0] = 0.0
-        if alone and part < dt - now and only_hinges_act(t, pair_count):
-            t.progress.owed[0] = part
-        elif held > 0 or joined > 0:
+        untouched = put_off(t, pair_count, held, part, clear and part < dt - now)
+        if not untouched and (held > 0 or joined > 0):
             relax(t, held, count, part, reached / part, False)
         now = dt if reached >= part and part == dt - now else now + reached
         roused = status != DONE or t.progress.roused[0] == 1
@@ -186,22 +180,6 @@ def travel(
         sense_at_end(t, pair_count)
     list_settled(t, count, pair_count)
     return DONE, dt
-
-
-def only_hinges_act(t: Tables, pair_count: int) -> bool:
-    """Whether hinges of trees are all that acts, and no two bodies are near enough to touch.
-
-    What they exert at the end of a part only makes velocities obey them, at the same poses and by
-    the same arms as what they exert at the start of the next, which makes up for what is missing:
-    both can be found as one (RATTLE then is SHAKE: Leimkuhler & Skeel, J. Comput. Phys. 112, 1994).
-    """
-    if t.braces.sizes[0] > 0 or t.bones.sizes[10] == 0:
-        return False
-    pairs = t.pairs
-    for pair in range(pair_count):
-        if pairs.state[pair] != FREE or not pairs.apart[pair] > TOUCHING * pairs.size[pair]:
-            return False
-    return True
 
 
 def queue_meetings(
@@ -360,65 +338,3 @@ def meet(
     if rested and not rests:
         collect(t, pair, (now + time) / dt if pair_waits(t, pair) else 1.0)
     return rests
-
-
-def has_escaped(t: Tables, row: int, lasts: float) -> bool:
-    """Whether a body may leave its box before the tick is over, in `lasts` seconds."""
-    bodies = t.bodies
-    if bodies.moves[row] == 0:
-        return False
-    if bodies.pieces[row] > 1 and turns_out(bodies, row, lasts):
-        return True
-    way_x, way_y = farthest(t, row, lasts)
-    return (
-        bodies.x[row] - way_x < bodies.low_x[row]
-        or bodies.x[row] + way_x > bodies.high_x[row]
-        or bodies.y[row] - way_y < bodies.low_y[row]
-        or bodies.y[row] + way_y > bodies.high_y[row]
-    )
-
-
-def turns_out(bodies: Bodies, row: int, lasts: float) -> bool:
-    """Whether a body of several pieces may turn further than their boxes hold for."""
-    turn = farthest_turn(bodies, row, lasts)
-    angle = bodies.angle[row]
-    return angle - turn < bodies.low_angle[row] or angle + turn > bodies.high_angle[row]
-
-
-def farthest_turn(bodies: Bodies, row: int, lasts: float) -> float:
-    """How far a body may turn in any direction within `lasts` seconds (rad)."""
-    return (abs(bodies.spin[row]) + abs(bodies.aspin[row]) * lasts) * lasts
-
-
-def farthest(t: Tables, row: int, lasts: float) -> tuple[float, float]:
-    """How far from its centre a body may be in any direction within `lasts` seconds (m)."""
-    bodies = t.bodies
-    reach = bodies.reach[row] * (1.0 + 2.0 * KEEPING)  # pairs that rest stay listed
-    x = (abs(bodies.vx[row]) + abs(bodies.ax[row]) * lasts) * lasts
-    y = (abs(bodies.vy[row]) + abs(bodies.ay[row]) * lasts) * lasts
-    return reach + x, reach + y
-
-
-def runaway(bodies: Bodies, count: int, dt: float) -> int:
-    """Row of the first body whose pose, or where it goes in `dt`, no number can hold; -1: none."""
-    for row in range(count):
-        speed = abs(bodies.vx[row]) + abs(bodies.vy[row]) + abs(bodies.spin[row])
-        speed += (abs(bodies.ax[row]) + abs(bodies.ay[row]) + abs(bodies.aspin[row])) * dt
-        if not abs(bodies.x[row]) + abs(bodies.y[row]) + abs(bodies.angle[row]) + speed * dt < MOST:
-            return row
-    return -1
-
-
-def runaways(bodies: Bodies, count: int, dt: float) -> int:
-    """How many bodies have left the range of numbers, or are about to in `dt` by their velocity."""
-    x = bodies.x
-    y = bodies.y
-    angle = bodies.angle
-    vx = bodies.vx
-    vy = bodies.vy
-    spin = bodies.spin
-    lost = 0
-    for row in range(count):
-        speed = abs(vx[row]) + abs(vy[row]) + abs(spin[row])
-        lost += not abs(x[row]) + abs(y[row]) + abs(angle[row]) + speed * dt < MOST
-    return lost

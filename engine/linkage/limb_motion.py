@@ -125,7 +125,7 @@ def expect_impulse(t: Tables, k: int, part: float) -> None:
     limbs = t.limbs
     joints = t.joints
     joint = limbs.joint[k]
-    owed = t.progress.owed[0]
+    owed = t.progress.owed[0] if t.trees.owes[limbs.tree[k]] == 1 else 0.0
     limbs.given_x[k] = 0.0
     limbs.given_y[k] = 0.0
     half = limbs.sign[k] * (part + owed) / 2.0
@@ -346,8 +346,6 @@ def keep_limb_impulses(t: Tables, part: float) -> None:
     """Note what the limbs exert at the start of the part (s), or all through it."""
     joints = t.joints
     limbs = t.limbs
-    owed = t.progress.owed[0]
-    per = 2.0 / (part + owed)
     for at in range(t.bones.sizes[8]):
         k = t.bones.acting[at]
         joint = limbs.joint[k]
@@ -359,8 +357,9 @@ def keep_limb_impulses(t: Tables, part: float) -> None:
         y = limbs.sign[k] * limbs.impulse_y[k]
         joints.impulse_0[joint] = x
         joints.impulse_1[joint] = y
-        x *= per
-        y *= per
+        owed = t.progress.owed[0] if t.trees.owes[limbs.tree[k]] == 1 else 0.0
+        x *= 2.0 / (part + owed)
+        y *= 2.0 / (part + owed)
         if owed > 0.0:
             joints.end_0[joint] = x
             joints.end_1[joint] = y

@@ -35,8 +35,7 @@ def ease_limbs(t: Tables) -> None:
     find_hinge_rates(t)
     going = 0
     for at in range(t.bones.sizes[10]):
-        if t.trees.worst[t.trees.acting[at]] > STILL * STILL:
-            going += 1
+        going += is_going(t, t.trees.acting[at])
     if going == 0:
         return
     if going == t.bones.sizes[10]:
@@ -49,10 +48,15 @@ def ease_limbs(t: Tables) -> None:
     else:
         for at in range(t.bones.sizes[10]):
             tree = t.trees.acting[at]
-            if t.trees.worst[tree] > STILL * STILL:
+            if is_going(t, tree):
                 ease_tree(t, tree)
     lend_all(t)
     deliver_ends(t)
+
+
+def is_going(t: Tables, tree: int) -> bool:
+    """Whether velocities of a tree, whose misses are known, are to obey its hinges and do not."""
+    return t.trees.owes[tree] == 0 and t.trees.worst[tree] > STILL * STILL
 
 
 def ease_tree(t: Tables, tree: int) -> None:
@@ -102,6 +106,8 @@ def keep_limb_ends(t: Tables, part: float, done: float, steady: bool) -> None:
     for at in range(t.bones.sizes[8]):
         k = t.bones.acting[at]
         joint = limbs.joint[k]
+        if t.trees.owes[limbs.tree[k]] == 1:
+            continue
         add_up_limb(t, k)
         x = limbs.sign[k] * limbs.impulse_x[k]
         y = limbs.sign[k] * limbs.impulse_y[k]

@@ -200,6 +200,8 @@ class Trees(NamedTuple):
     """Number of pairs of the group, in the row that stands for it."""
     place: Ints
     """Where its next pair is to be listed."""
+    owes: Ints
+    """1 if what its hinges exert at the end of the last part is still owed: see `Progress.owed`."""
     does: Ints
     """What the next step of Newton's method does: see `linkage.limbs`."""
     worst: Floats

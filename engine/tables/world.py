@@ -145,8 +145,8 @@ class Progress(NamedTuple):
     begins: Ints
     """1 once a pair came to rest in the present tick; see `standing`."""
     owed: Floats
-    """Length of the part (s) at whose end hinges have not acted: they do so together with what they
-    exert at the start of the next; 0: they have. See `travel`."""
+    """Length of the part (s) for whose end some trees of hinges owe what they exert: they exert it
+    as the next begins; 0: none does. See `owing`."""
     stalled: Ints
     """Parts in a row that ended as they began; see `resting.STALLS`."""
     sweeps: Ints
