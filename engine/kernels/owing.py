@@ -1,5 +1,5 @@
-"""Hinges that are solved once between two parts of a tick, not at the end of the one and at the start
-of the other.
+"""Hinges that are solved once between two parts of a tick.
+
 What they exert at the end of a part only makes velocities obey them, at the same poses and by the
 same arms as what they exert at the start of the next, which makes up for what is missing: both can
 be found as one (RATTLE then is SHAKE: Leimkuhler & Skeel, J. Comput. Phys. 112, 1994). Velocities

@@ -58,38 +58,52 @@ def measure_limbs(t: Tables, aiming: bool) -> None:
     """Find by how much hinges will gape at the end of the part (s); aim at where they will be."""
     bones = t.bones
     for run in range(bones.sizes[12]):
-        lead = bones.run_lead[run]
-        for k in range(bones.run_first[run], bones.run_end[run]):
-            measure_limb(t, k, k + lead, aiming)
+        first = bones.run_first[run]
+        end = bones.run_end[run]
+        find_gaps(t, first, end, bones.run_lead[run])
+        if aiming:
+            aim_at_ends(t, first, end, bones.run_lead[run])
     find_worst(t)
 
 
-def measure_limb(t: Tables, k: int, parent: int, aiming: bool) -> None:
-    """Do so for one of them."""
+def find_gaps(t: Tables, first: int, end: int, lead: int) -> None:
+    """Do so for a run of them, from row `first` to before `end`; parents are `lead` rows behind."""
     bones = t.bones
     limbs = t.limbs
-    sin = bones.turn_sin[k]
-    less = bones.turn_less[k]
-    x = limbs.tip_x[k]
-    y = limbs.tip_y[k]
-    bend_x = less * x - sin * y
-    bend_y = sin * x + less * y
-    gap_x = limbs.gap_x[k] + (bones.way_x[k] - bones.way_x[parent]) + bend_x
-    gap_y = limbs.gap_y[k] + (bones.way_y[k] - bones.way_y[parent]) + bend_y
-    if aiming:
-        limbs.reach_x[k] = x + bend_x
-        limbs.reach_y[k] = y + bend_y
-    sin = bones.turn_sin[parent]
-    less = bones.turn_less[parent]
-    x = limbs.base_x[k]
-    y = limbs.base_y[k]
-    bend_x = less * x - sin * y
-    bend_y = sin * x + less * y
-    gap_x -= bend_x
-    gap_y -= bend_y
-    if aiming:
-        limbs.span_x[k] = x + bend_x
-        limbs.span_y[k] = y + bend_y
-    limbs.rate_x[k] = -gap_x / bones.lasts[k]
-    limbs.rate_y[k] = -gap_y / bones.lasts[k]
-    limbs.miss[k] = (gap_x * gap_x + gap_y * gap_y) * limbs.scale[k]
+    for k in range(first, end):
+        parent = k + lead
+        sin = bones.turn_sin[k]
+        less = bones.turn_less[k]
+        x = limbs.tip_x[k]
+        y = limbs.tip_y[k]
+        gap_x = limbs.gap_x[k] + (bones.way_x[k] - bones.way_x[parent]) + (less * x - sin * y)
+        gap_y = limbs.gap_y[k] + (bones.way_y[k] - bones.way_y[parent]) + (sin * x + less * y)
+        sin = bones.turn_sin[parent]
+        less = bones.turn_less[parent]
+        x = limbs.base_x[k]
+        y = limbs.base_y[k]
+        gap_x -= less * x - sin * y
+        gap_y -= sin * x + less * y
+        limbs.rate_x[k] = -gap_x / bones.lasts[k]
+        limbs.rate_y[k] = -gap_y / bones.lasts[k]
+        limbs.miss[k] = (gap_x * gap_x + gap_y * gap_y) * limbs.scale[k]
+
+
+def aim_at_ends(t: Tables, first: int, end: int, lead: int) -> None:
+    """Let velocities be wanted of the points where a run of hinges will be at the end of the part."""
+    bones = t.bones
+    limbs = t.limbs
+    for k in range(first, end):
+        parent = k + lead
+        sin = bones.turn_sin[k]
+        less = bones.turn_less[k]
+        x = limbs.tip_x[k]
+        y = limbs.tip_y[k]
+        limbs.reach_x[k] = x + (less * x - sin * y)
+        limbs.reach_y[k] = y + (sin * x + less * y)
+        sin = bones.turn_sin[parent]
+        less = bones.turn_less[parent]
+        x = limbs.base_x[k]
+        y = limbs.base_y[k]
+        limbs.span_x[k] = x + (less * x - sin * y)
+        limbs.span_y[k] = y + (sin * x + less * y)

@@ -48,7 +48,7 @@ corrected lead to worse ones."""
 CHORDS = 2
 """So many steps are taken with the matrix of the first; then each has its own."""
 
-FAR = 1e-3
+FAR = 2e-2
 """If hinges would gape by more at first, in reaches of the smaller body, the second step has a
 matrix of its own, too: with that of the first it would hardly come closer."""
 
