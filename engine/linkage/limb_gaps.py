@@ -90,7 +90,7 @@ def find_gaps(t: Tables, first: int, end: int, lead: int) -> None:
 
 
 def aim_at_ends(t: Tables, first: int, end: int, lead: int) -> None:
-    """Let velocities be wanted of the points where a run of hinges will be at the end of the part."""
+    """Want velocities of the points where a run of hinges will be at the end of the part."""
     bones = t.bones
     limbs = t.limbs
     for k in range(first, end):

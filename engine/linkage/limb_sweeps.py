@@ -17,7 +17,7 @@ from engine.linkage.limb_impulses import (
     lend_all,
     read_held,
 )
-from engine.linkage.limbs import gather_masses, place_bone, place_limb
+from engine.linkage.limbs import gather_masses, place_limb, set_pose, turn_all
 from engine.tables import Tables
 
 
@@ -53,7 +53,9 @@ def place_even(t: Tables, part: float) -> None:
             if row >= 0:
                 x = bodies.x[row] + half * bodies.vx[row]
                 y = bodies.y[row] + half * bodies.vy[row]
-                place_bone(t, bone, x, y, bodies.angle[row] + half * bodies.spin[row])
+                set_pose(t, bone, x, y, bodies.angle[row] + half * bodies.spin[row])
+    if bones.sizes[7] > 0:
+        turn_all(t)
     for at in range(bones.sizes[8]):
         k = bones.acting[at]
         if t.trees.evenly[t.limbs.tree[k]] == 1:

@@ -60,20 +60,33 @@ def stand(t: Tables) -> None:
     """Place all bones where their bodies are now, and the limbs."""
     bones = t.bones
     bodies = t.bodies
-    far = 0.0
     for at in range(bones.sizes[11]):
         bone = bones.acting[at]
         row = bones.body[bone]
-        x = 0.0
-        y = 0.0
-        angle = 0.0
         if row >= 0:
-            x = bodies.x[row]
-            y = bodies.y[row]
-            angle = bodies.angle[row]
-        bones.x[bone] = x
-        bones.y[bone] = y
-        bones.angle[bone] = angle
+            set_pose(t, bone, bodies.x[row], bodies.y[row], bodies.angle[row])
+        else:
+            set_pose(t, bone, 0.0, 0.0, 0.0)
+    turn_all(t)
+    for run in range(bones.sizes[12]):
+        lead = bones.run_lead[run]
+        for k in range(bones.run_first[run], bones.run_end[run]):
+            place_limb(t, k, k + lead)
+
+
+def set_pose(t: Tables, bone: int, x: float, y: float, angle: float) -> None:
+    """Note the pose of a bone (m, rad), which has yet to be turned."""
+    t.bones.x[bone] = x
+    t.bones.y[bone] = y
+    t.bones.angle[bone] = angle
+
+
+def turn_all(t: Tables) -> None:
+    """Turn all bones to where their angles are noted."""
+    bones = t.bones
+    far = 0.0
+    for at in range(bones.sizes[11]):
+        angle = bones.angle[bones.acting[at]]
         far = angle if angle > far else far
         far = -angle if -angle > far else far
     if far < MANY_TURNS:
@@ -84,10 +97,6 @@ def stand(t: Tables) -> None:
             bone = bones.acting[at]
             bones.cos[bone] = math.cos(bones.angle[bone])
             bones.sin[bone] = math.sin(bones.angle[bone])
-    for run in range(bones.sizes[12]):
-        lead = bones.run_lead[run]
-        for k in range(bones.run_first[run], bones.run_end[run]):
-            place_limb(t, k, k + lead)
 
 
 def stands(t: Tables) -> bool:
@@ -112,12 +121,9 @@ def stands(t: Tables) -> bool:
 
 def place_bone(t: Tables, bone: int, x: float, y: float, angle: float) -> None:
     """Put a bone into a pose (m, rad)."""
-    bones = t.bones
-    bones.x[bone] = x
-    bones.y[bone] = y
-    bones.angle[bone] = angle
-    bones.cos[bone] = math.cos(angle)
-    bones.sin[bone] = math.sin(angle)
+    set_pose(t, bone, x, y, angle)
+    t.bones.cos[bone] = math.cos(angle)
+    t.bones.sin[bone] = math.sin(angle)
 
 
 def place_limb(t: Tables, k: int, parent: int) -> None:
