@@ -30,9 +30,9 @@ from engine.linkage.limb_groups import (
     only_trees_touch,
     sweep_groups,
 )
-from engine.linkage.limb_motion import bind_limbs
+from engine.linkage.limb_motion import bind_limbs, brace_limbs, keep_limb_impulses
 from engine.linkage.limb_sweeps import sweep_all, turn_limbs_by_shift
-from engine.linkage.limb_velocities import ease_limbs
+from engine.linkage.limb_velocities import ease_limbs, keep_limb_ends, prepare_limbs
 from engine.linkage.positions import bind, brace, follow_joints, keep_impulses
 from engine.linkage.tally import is_joined, joints_act, joints_jolt
 from engine.linkage.velocities import ease, keep_ends, prepare_ease
@@ -84,6 +84,9 @@ takes little."""
 
 def kick(t: Tables, resting: int, count: int, part: float) -> None:
     """Find what velocities the bodies have at the end of the part (s); bend their paths to it."""
+    if resting == 0 and t.braces.sizes[0] == 0:
+        swing(t, count, part)
+        return
     bodies = t.bodies
     violent = is_violent(t, resting)
     for row in range(count):
@@ -127,6 +130,23 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
             bodies.path_y[row] = (bodies.kick_y[row] - bodies.vy[row]) / part
             bodies.path_spin[row] = (bodies.kick_spin[row] - bodies.spin[row]) / part
             note_part(bodies, row)
+
+
+def swing(t: Tables, count: int, part: float) -> None:
+    """The same where nothing but hinges of trees acts: once they have jolted the bodies, forces
+    alone bend their paths.
+    """
+    bodies = t.bodies
+    for row in range(count):
+        if bodies.held[row] > 0:
+            bodies.path_x[row] = bodies.ax[row]
+            bodies.path_y[row] = bodies.ay[row]
+            bodies.path_spin[row] = bodies.aspin[row]
+    t.lanes.sizes[2] = 0
+    t.state.restless[0] = 0
+    brace_limbs(t, part)
+    bind_limbs(t, part)
+    keep_limb_impulses(t, part)
 
 
 def press(t: Tables, resting: int, part: float, most: int, gives_up: bool) -> None:
@@ -187,6 +207,11 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
 
     `done` is the share of the part after which it ended. Returns whether contacts are still.
     """
+    if resting == 0 and t.braces.sizes[0] == 0:
+        prepare_limbs(t)
+        ease_limbs(t, True)
+        keep_limb_ends(t, part, done, False)
+        return False
     bodies = t.bodies
     for row in range(count):
         if bodies.held[row] > 0:
@@ -204,7 +229,7 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
         still = calm_groups(t, left, 2 * STEADY_SWEEPS, STILL)
     else:
         calm_down(t, left, count)
-    ease_limbs(t)
+    ease_limbs(t, False)
     keep_ends(t, part, done, steady)
     t.lanes.sizes[2] = 0
     book_relax(t, left, count)

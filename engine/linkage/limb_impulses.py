@@ -16,9 +16,10 @@ def read_means(t: Tables) -> None:
         if t.trees.evenly[bones.tree[bone]] == 1:
             read_end(t, bone, row)
         else:
-            bones.vx[bone] = (bodies.vx[row] + bodies.kick_x[row]) / 2.0
-            bones.vy[bone] = (bodies.vy[row] + bodies.kick_y[row]) / 2.0
-            bones.spin[bone] = (bodies.spin[row] + bodies.kick_spin[row]) / 2.0
+            half = bones.lasts[bone] / 2.0
+            bones.vx[bone] = bodies.vx[row] + bodies.ax[row] * half
+            bones.vy[bone] = bodies.vy[row] + bodies.ay[row] * half
+            bones.spin[bone] = bodies.spin[row] + bodies.aspin[row] * half
             if delivered:
                 lend_nothing(t, bone)
     read_held(t)
@@ -30,6 +31,16 @@ def read_ends(t: Tables) -> None:
     for at in range(bones.sizes[9]):
         bone = bones.acting[at]
         read_end(t, bone, bones.body[bone])
+    read_held(t)
+
+
+def read_present(t: Tables) -> None:
+    """Read the velocities that the bodies have."""
+    bones = t.bones
+    for at in range(bones.sizes[9]):
+        bone = bones.acting[at]
+        read_own(t, bone, bones.body[bone])
+        lend_nothing(t, bone)
     read_held(t)
 
 
@@ -50,7 +61,7 @@ def read_held(t: Tables) -> None:
 
 
 def read_own(t: Tables, bone: int, row: int) -> None:
-    """Read the velocity of a body that nothing changes."""
+    """Read the velocity that a body has."""
     t.bones.vx[bone] = t.bodies.vx[row]
     t.bones.vy[bone] = t.bodies.vy[row]
     t.bones.spin[bone] = t.bodies.spin[row]
@@ -134,7 +145,7 @@ def lend_child(t: Tables, k: int) -> None:
 
 
 def deliver_starts(t: Tables) -> None:
-    """Give what joints lent to the bodies, from the start of the part on, or all through it."""
+    """Give what joints lent to the bodies: now and from now on, or all through the part."""
     bones = t.bones
     bodies = t.bodies
     work = 0.0

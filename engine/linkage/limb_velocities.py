@@ -1,6 +1,13 @@
 """Trees of hinged bodies at the end of each part: the impulses for which velocities obey hinges."""
 
-from engine.linkage.limb_impulses import add_up_limb, deliver_ends, lend_all, read_ends
+from engine.linkage.limb_impulses import (
+    add_up_limb,
+    deliver_ends,
+    deliver_starts,
+    lend_all,
+    read_ends,
+    read_present,
+)
 from engine.linkage.limb_motion import step_limb
 from engine.linkage.limb_sweeps import aim_sweeps
 from engine.linkage.limbs import find_worst, resolve, resolve_tree, solve_all, solve_tree, stand
@@ -27,11 +34,16 @@ def prepare_limbs(t: Tables) -> None:
         aim_sweeps(t, False)
 
 
-def ease_limbs(t: Tables) -> None:
-    """Make velocities obey the hinges."""
+def ease_limbs(t: Tables, at_once: bool) -> None:
+    """Make velocities at the end of the part obey the hinges: those that bodies have, `at_once`, or
+    those that contacts, too, are about to give them.
+    """
     if t.bones.sizes[8] == 0:
         return
-    read_ends(t)
+    if at_once:
+        read_present(t)
+    else:
+        read_ends(t)
     find_hinge_rates(t)
     going = 0
     for at in range(t.bones.sizes[10]):
@@ -51,7 +63,10 @@ def ease_limbs(t: Tables) -> None:
             if is_going(t, tree):
                 ease_tree(t, tree)
     lend_all(t)
-    deliver_ends(t)
+    if at_once:
+        deliver_starts(t)
+    else:
+        deliver_ends(t)
 
 
 def is_going(t: Tables, tree: int) -> bool:
