@@ -36,7 +36,10 @@ from engine.linkage.modes import CLOSING
 from engine.tables import Tables
 
 MOST_STEPS = 40
-"""Steps of Newton's method that a part has at most."""
+"""Steps of Newton's method that a part has at most,"""
+
+FEW_STEPS = 8
+"""and if it can be made shorter: what takes more is not to be trusted."""
 
 TIGHT = 3e-9
 """Hinges hold to this share of the smaller body's reach."""
@@ -56,7 +59,16 @@ SURE = 0.1
 """Share of the tolerance that a step is expected to miss by if it is not looked at again."""
 
 LOOSE = 1e-3
-"""A tree whose hinges would gape by more after all steps is lost, in reaches of the small body."""
+"""A tree whose hinges would gape by more after all steps is lost, in reaches of the small body,"""
+
+FIRM = 1e-6
+"""and so it is, if the part can be made shorter, if they would by more than that,"""
+
+FARTHEST = 1e100
+"""No miss is larger."""
+
+MOST_TURN = 0.35
+"""or if a body would turn by more (rad): that may be another solution, bent the other way."""
 
 MANY = 3
 """If one tree in so many needs a step, all take it, side by side."""
@@ -150,7 +162,9 @@ def bind_limbs(t: Tables, part: float) -> float:
         return 0.0
     read_means(t)
     failed = 0.0
-    for step in range(MOST_STEPS):
+    final = t.progress.final[0] == 1
+    found = False
+    for step in range(MOST_STEPS if final else FEW_STEPS):
         bend(t)
         renewing = t.bones.sizes[6] == 0 or step >= CHORDS or failed > FAR * FAR
         measure_limbs(t, renewing)
@@ -160,7 +174,8 @@ def bind_limbs(t: Tables, part: float) -> float:
                 measure_limbs(t, renewing)
             failed = note_first(t)
         going, alike, sure = choose_steps(t, renewing, AT_ONCE if step == 0 else TIGHT)
-        if going == 0:
+        found = going == 0
+        if found:
             break
         if renewing:
             t.bones.sizes[6] = 1
@@ -175,9 +190,10 @@ def bind_limbs(t: Tables, part: float) -> float:
                 if renewing and t.trees.does[tree] == FORWARD:
                     resolve_tree(t, tree)
                 step_tree(t, tree)
-        if sure:
+        found = sure
+        if found:
             break
-    t.bones.sizes[5] = withdraw_lost(t)
+    t.bones.sizes[5] = withdraw_lost(t, final, found)
     lend_all(t)
     deliver_starts(t)
     return math.sqrt(failed) / part
@@ -212,17 +228,26 @@ def expect_nothing_far(t: Tables) -> bool:
     return far
 
 
-def withdraw_lost(t: Tables) -> int:
-    """Let limbs of trees for which no solution was found exert nothing; return how many there are.
+def withdraw_lost(t: Tables, final: bool, found: bool) -> int:
+    """Let limbs of trees for which no good solution was found exert nothing; return how many there
+    are.
 
-    Their bodies fly on, which gains no energy.
+    Their bodies fly on, which gains no energy; unless that is `final`, they are tried again.
+    `found`, hinges of all trees hold.
     """
     limbs = t.limbs
+    bones = t.bones
     trees = t.trees
     lost = 0
+    loose = FARTHEST if found else LOOSE if final else FIRM
+    for at in range(0 if final else bones.sizes[9]):
+        bone = bones.acting[at]
+        if abs(bones.spin[bone] + bones.lent_spin[bone]) * bones.lasts[bone] > MOST_TURN:
+            trees.does[bones.tree[bone]] = FORWARD
+            trees.worst[bones.tree[bone]] = 2.0 * FARTHEST * FARTHEST
     for i in range(t.bones.sizes[10]):
         tree = trees.acting[i]
-        if trees.does[tree] != DONE and not trees.worst[tree] <= LOOSE * LOOSE:
+        if trees.does[tree] != DONE and not trees.worst[tree] <= loose * loose:
             lost += 1
             first = trees.first[tree]
             for at in range(first, first + trees.limbs[tree]):

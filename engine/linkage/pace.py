@@ -11,8 +11,11 @@ from engine.tables import Tables
 
 SWING = 0.035
 """By so much the only body of a tree turns in a part (rad); those of a tree of n bodies, as their
-root mean square, by the fourth root of n times as much: their phases err to both sides, so that the
-error of the whole is that of one of them over the square root of n."""
+root mean square, by the fourth root of n times as much, n being `MANY` at most: their phases err to
+both sides, so that the error of the whole is that of one of them over the square root of n."""
+
+MANY = 20.0
+"""Ends of longer chains whip."""
 
 WHIP = 0.16
 """By so much the fastest of them turns, as long as parts are no shorter than substeps (rad)."""
@@ -108,7 +111,8 @@ def paces(t: Tables) -> tuple[float, float, float]:
     for at in range(bones.sizes[10]):
         tree = trees.acting[at]
         limbs_of = float(trees.limbs[tree])
-        pace = math.sqrt(trees.worst[tree] / (limbs_of * math.sqrt(limbs_of))) / SWING
+        many = limbs_of if limbs_of < MANY else MANY
+        pace = math.sqrt(trees.worst[tree] / (limbs_of * math.sqrt(many))) / SWING
         if pace > slowest:
             slowest = pace
     return slowest, fastest, 2.0 * math.sqrt(waving)

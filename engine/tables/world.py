@@ -144,6 +144,8 @@ class Progress(NamedTuple):
     """1 once something hit what waits, or came to rest on it; see `islands`."""
     begins: Ints
     """1 once a pair came to rest in the present tick; see `standing`."""
+    final: Ints
+    """1 if a part will not be made shorter where hinges find no good solution for it."""
     owed: Floats
     """Length of the part (s) for whose end some trees of hinges owe what they exert: they exert it
     as the next begins; 0: none does. See `owing`."""

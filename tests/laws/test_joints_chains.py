@@ -171,3 +171,25 @@ def test_a_long_chain_that_falls_from_the_horizontal_keeps_its_energy() -> None:
         for joint in world.joints:
             assert math.dist(*joint.anchors) < 1e-9
     assert fastest > 30
+
+
+@pytest.mark.parametrize(("links", "start"), [(20, 0.4), (20, 1.1)])
+def test_chains_that_whip_for_long_are_never_torn(links: int, start: float) -> None:
+    """Their ends turn at hundreds of radians a second for an instant. Where Newton's method found
+    no solution for a part, or one bent the other way, joints gaped by up to a millimetre.
+    """
+    world = World(gravity=(0, -G), integrator="velocity-verlet")
+    rods: list[Body] = []
+    x, y = 0.4 * math.cos(start), 0.4 * math.sin(start)
+    for i in range(links):
+        at = ((i + 0.5) * x, (i + 0.5) * y)
+        rods.append(world.add(Polygon.box(0.4, 0.1), mass=0.04, position=at, angle=start))
+        rods[i].mask = 0
+        world.join(rods[i - 1] if i else None, rods[i], Pin(at=(i * x, i * y)))
+    fastest = 0.0
+    for _ in range(500):
+        world.step()
+        fastest = max(fastest, *(abs(rod.spin) for rod in rods))
+        for joint in world.joints:
+            assert math.dist(*joint.anchors) < 1e-8
+    assert fastest > 100
