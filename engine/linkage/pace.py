@@ -7,7 +7,7 @@ longer parts than the substeps of a tick, all joints shorter ones where somethin
 
 import math
 
-from engine.tables import Tables
+from engine.tables import Bodies, Tables
 
 SWING = 0.035
 """By so much the only body of a tree turns in a part (rad); those of a tree of n bodies, as their
@@ -19,6 +19,10 @@ MANY = 20.0
 
 WHIP = 0.16
 """By so much the fastest of them turns, as long as parts are no shorter than substeps (rad)."""
+
+LASH = 0.06
+"""By so much the bodies of a tree turn in a part, whatever substeps there are, as their root mean
+square weighed by their energies (rad): a whip gathers the energy of a chain in its light end."""
 
 HANG = 0.049
 """By so much of its oscillation (rad) a tree that hangs on a fixed hinge swings in a part."""
@@ -33,10 +37,10 @@ LONGEST = 6.0
 LONGEST_WITH_IMPACTS = 2.0
 """and if something meets in it: what is struck turns faster for the rest of its part."""
 
-MOST_TURN = 0.25
+MOST_TURN = 0.12
 """By which a joined body turns in a part at most (rad): faster ones get shorter parts."""
 
-SHORTEST = 1.0 / 32.0
+SHORTEST = 1.0 / 64.0
 """Share of a substep that a part has at least."""
 
 
@@ -51,13 +55,15 @@ def part_for_joints(t: Tables, substep: float, left: float, resting: int, longes
         spin = t.bodies.spin[t.nodes.body[node]]
         if spin * spin > fastest:
             fastest = spin * spin
-    swinging, whipping, waving = paces(t)
+    swinging, lashing, whipping, waving = paces(t)
     if whipping > fastest:
         fastest = whipping
     fastest = math.sqrt(fastest)
     waving = math.sqrt(waving) / WAVE
     if fastest / MOST_TURN > waving:
         waving = fastest / MOST_TURN
+    if lashing / LASH > waving:
+        waving = lashing / LASH
     if waving * substep > 1.0:
         return 1.0 / waving if waving * substep * SHORTEST < 1.0 else substep * SHORTEST
     if t.braces.sizes[0] > 0 or resting > 0:
@@ -71,9 +77,9 @@ def part_for_joints(t: Tables, substep: float, left: float, resting: int, longes
     return left / math.ceil(parts - 1e-9)
 
 
-def paces(t: Tables) -> tuple[float, float, float]:
-    """How many parts a second the swinging of the trees asks for; the squares of their fastest spin
-    and of their fastest wave (1/s).
+def paces(t: Tables) -> tuple[float, float, float, float]:
+    """How many parts a second the swinging of the trees asks for; how fast their energy turns; the
+    square of their fastest spin; and their fastest wave, squared (1/s).
 
     Bodies that turn about the hinge in their centre need no more.
     """
@@ -82,7 +88,8 @@ def paces(t: Tables) -> tuple[float, float, float]:
     limbs = t.limbs
     trees = t.trees
     for at in range(bones.sizes[10]):
-        trees.worst[trees.acting[at]] = 0.0
+        tree = trees.acting[at]
+        trees.worst[tree] = trees.lively[tree] = trees.lash[tree] = 0.0
     fastest = 0.0
     slowest = 0.0
     waving = 0.0
@@ -102,12 +109,17 @@ def paces(t: Tables) -> tuple[float, float, float]:
             spin = bodies.spin[bones.body[parent]]
             if spin * spin > square:
                 square = spin * spin
-        trees.worst[limbs.tree[k]] += square
+        tree = limbs.tree[k]
+        energy = energy_of(bodies, bones.body[k])
+        trees.worst[tree] += square
+        trees.lively[tree] += energy
+        trees.lash[tree] += energy * square
         wave = wave_at(t, k, parent)
         if wave > waving:
             waving = wave
         if square > fastest:
             fastest = square
+    lashing = 0.0
     for at in range(bones.sizes[10]):
         tree = trees.acting[at]
         limbs_of = float(trees.limbs[tree])
@@ -115,7 +127,19 @@ def paces(t: Tables) -> tuple[float, float, float]:
         pace = math.sqrt(trees.worst[tree] / (limbs_of * math.sqrt(many))) / SWING
         if pace > slowest:
             slowest = pace
-    return slowest, fastest, 2.0 * math.sqrt(waving)
+        if trees.lash[tree] > lashing * trees.lively[tree]:
+            lashing = trees.lash[tree] / trees.lively[tree]
+    return slowest, math.sqrt(lashing), fastest, 2.0 * math.sqrt(waving)
+
+
+def energy_of(bodies: Bodies, row: int) -> float:
+    """Twice the kinetic energy of a body (J)."""
+    vx = bodies.vx[row]
+    vy = bodies.vy[row]
+    energy = bodies.mass[row] * (vx * vx + vy * vy)
+    if bodies.inverse_inertia[row] > 0.0:
+        energy += bodies.inertia[row] * bodies.spin[row] * bodies.spin[row]
+    return energy
 
 
 def hanging_pace(t: Tables, k: int) -> float:

@@ -204,6 +204,10 @@ class Trees(NamedTuple):
     """1 if what its hinges exert at the end of the last part is still owed: see `Progress.owed`."""
     does: Ints
     """What the next step of Newton's method does: see `linkage.limbs`."""
+    lively: Floats
+    """Twice the kinetic energy of its bodies (J), and the same times the squares of how fast they
+    turn (J/s^2); see `linkage.pace`."""
+    lash: Floats
     worst: Floats
     """The greatest miss of a hinge, in units of its tolerance, squared."""
     before: Floats
