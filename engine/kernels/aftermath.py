@@ -10,7 +10,7 @@ from engine.kernels.meeting import approach_of, fastest_within, find_meeting, no
 from engine.kernels.pose import place_pair
 from engine.kernels.resting import OVERLAP, explained_speed
 from engine.linkage.answers import changed, has_braces
-from engine.linkage.limb_impacts import bone_changed, tree_at
+from engine.linkage.limb_impacts import tree_at
 from engine.manifolds.any_pair import touching_points
 from engine.tables import FREE, LATER, NEVER, RESTING, Tables
 
@@ -164,19 +164,25 @@ def look_at_bone(
     """
     bodies = t.bodies
     row = t.bones.body[bone]
-    if not is_moved(t, bone, a, b):
+    moved = swerve_of_bone(t, bone, a, b)
+    if moved == 0.0 and row not in (a, b):
         return queued
     first = bodies.first_link[row]
     for link in range(first, first + bodies.links[row]):
         pair = t.links.pair[link]
         other = bodies.bone[t.pairs.a[pair] + t.pairs.b[pair] - row] - 1
-        known = 0 <= other < bone and t.bones.tree[other] == t.bones.tree[bone]
-        if not known or not is_moved(t, other, a, b):
+        closer = moved
+        if other >= 0 and t.bones.tree[other] == t.bones.tree[bone]:
+            by_other = swerve_of_bone(t, other, a, b)
+            if other < bone and (by_other > 0.0 or t.bones.body[other] in (a, b)):
+                continue
+            closer += by_other
+        if t.pairs.state[pair] != FREE or not stays_apart(t, pair, closer * (part - time)):
             queued = look_at_pair(t, pair, time, part, queued, strict)
     return queued
 
 
-def is_moved(t: Tables, bone: int, a: int, b: int) -> bool:
-    """Whether an impact of a and b changed the velocity of a bone."""
+def swerve_of_bone(t: Tables, bone: int, a: int, b: int) -> float:
+    """Bound by how much an impact of a and b changed the velocity of any point of a bone (m/s)."""
     row = t.bones.body[bone]
-    return row in (a, b) or bone_changed(t, bone)
+    return swerve(t, row) if row in (a, b) else t.bones.sway[bone]

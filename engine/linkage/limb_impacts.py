@@ -47,6 +47,7 @@ def place_in_flight(t: Tables, bone: int, time: float) -> None:
             angle += bodies.path_spin[row] * half
         place_bone(t, bone, x, y, angle)
     load_alone(t, bone)
+    t.bones.sway[bone] = 0.0
 
 
 def jolt_tree(t: Tables, tree: int) -> None:
@@ -158,6 +159,8 @@ def jolt_bone(t: Tables, bone: int, time: float) -> None:
         x = bones.lent_x[bone]
         y = bones.lent_y[bone]
         jolt_at(t, bones.body[bone], time, x, y, bones.lent_spin[bone])
+        reach = t.bodies.reach[bones.body[bone]]
+        bones.sway[bone] += abs(x) + abs(y) + abs(bones.lent_spin[bone]) * reach
         bones.late_x[bone] += x
         bones.late_y[bone] += y
         bones.late_once_x[bone] += x * time

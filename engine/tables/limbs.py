@@ -174,6 +174,8 @@ class Bones(NamedTuple):
     late_once_y: Floats
     late_twice_x: Floats
     late_twice_y: Floats
+    sway: Floats
+    """By how much joints changed the velocity of any of its points in the last impact (m/s)."""
     step_x: Floats
     """Change of its velocity: the solution (m/s)."""
     step_y: Floats
