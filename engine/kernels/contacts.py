@@ -21,6 +21,7 @@ from engine.kernels.following import (
 )
 from engine.kernels.packing import load_points, pack, pack_again, unload
 from engine.kernels.sweeps import QUIET, WILD, warm_start
+from engine.kernels.swinging import obey, swing
 from engine.kernels.touches import collect
 from engine.linkage.limb_groups import (
     EASING,
@@ -30,9 +31,9 @@ from engine.linkage.limb_groups import (
     only_trees_touch,
     sweep_groups,
 )
-from engine.linkage.limb_motion import bind_limbs, brace_limbs, keep_limb_impulses
+from engine.linkage.limb_motion import bind_limbs
 from engine.linkage.limb_sweeps import sweep_all, turn_limbs_by_shift
-from engine.linkage.limb_velocities import ease_limbs, keep_limb_ends, prepare_limbs
+from engine.linkage.limb_velocities import ease_limbs
 from engine.linkage.positions import bind, brace, follow_joints, keep_impulses
 from engine.linkage.tally import is_joined, joints_act, joints_jolt
 from engine.linkage.velocities import ease, keep_ends, prepare_ease
@@ -132,23 +133,6 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
             note_part(bodies, row)
 
 
-def swing(t: Tables, count: int, part: float) -> None:
-    """The same where nothing but hinges of trees acts: once they have jolted the bodies, forces
-    alone bend their paths.
-    """
-    bodies = t.bodies
-    for row in range(count):
-        if bodies.held[row] > 0:
-            bodies.path_x[row] = bodies.ax[row]
-            bodies.path_y[row] = bodies.ay[row]
-            bodies.path_spin[row] = bodies.aspin[row]
-    t.lanes.sizes[2] = 0
-    t.state.restless[0] = 0
-    brace_limbs(t, part)
-    bind_limbs(t, part)
-    keep_limb_impulses(t, part)
-
-
 def press(t: Tables, resting: int, part: float, most: int, gives_up: bool) -> None:
     """Sweep over contacts, `most` times at most, and let joints hold at the end of the part (s)
     each time; for the wild that are left as they are see `has_settled`.
@@ -208,9 +192,7 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
     `done` is the share of the part after which it ended. Returns whether contacts are still.
     """
     if resting == 0 and t.braces.sizes[0] == 0:
-        prepare_limbs(t)
-        ease_limbs(t, True)
-        keep_limb_ends(t, part, done, False)
+        obey(t, part, done)
         return False
     bodies = t.bodies
     for row in range(count):

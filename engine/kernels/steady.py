@@ -18,7 +18,7 @@ from engine.kernels.sticking import FIXED, HELD, find_fixed
 from engine.kernels.sweeps import QUIET, warm_start
 from engine.kernels.touches import impulses_of, touch
 from engine.linkage.limb_groups import calm_groups
-from engine.linkage.limb_motion import keep_limb_impulses
+from engine.linkage.limb_guesses import keep_limb_impulses
 from engine.linkage.limb_sweeps import bear_evenly, keep_loads, sweep_all
 from engine.tables import Tables
 

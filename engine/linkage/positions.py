@@ -11,7 +11,8 @@ does not drift. The equations are solved by Newton's method with the matrix of t
 from engine.linkage.geometry import aim, measure, place_nodes
 from engine.linkage.impulses import add_up, lend, note_impulses, solve_for, take
 from engine.linkage.jolts import jolt_start
-from engine.linkage.limb_motion import brace_limbs, keep_limb_impulses
+from engine.linkage.limb_guesses import keep_limb_impulses
+from engine.linkage.limb_motion import brace_limbs
 from engine.linkage.modes import (
     CLOSING,
     TIGHT,
