@@ -20,9 +20,12 @@ MANY = 20.0
 WHIP = 0.16
 """By so much the fastest of them turns, as long as parts are no shorter than substeps (rad)."""
 
+SNAP = 0.12
+"""By so much it turns whatever substeps there are, while nothing but hinges of trees acts (rad),"""
+
 LASH = 0.06
-"""By so much the bodies of a tree turn in a part, whatever substeps there are, as their root mean
-square weighed by their energies (rad): a whip gathers the energy of a chain in its light end."""
+"""and their bodies as their root mean square weighed by their energies: a whip gathers the energy
+of a chain in its light end."""
 
 HANG = 0.049
 """By so much of its oscillation (rad) a tree that hangs on a fixed hinge swings in a part."""
@@ -37,10 +40,10 @@ LONGEST = 6.0
 LONGEST_WITH_IMPACTS = 2.0
 """and if something meets in it: what is struck turns faster for the rest of its part."""
 
-MOST_TURN = 0.12
+MOST_TURN = 0.25
 """By which a joined body turns in a part at most (rad): faster ones get shorter parts."""
 
-SHORTEST = 1.0 / 64.0
+SHORTEST = 1.0 / 32.0
 """Share of a substep that a part has at least."""
 
 
@@ -62,8 +65,11 @@ def part_for_joints(t: Tables, substep: float, left: float, resting: int, longes
     waving = math.sqrt(waving) / WAVE
     if fastest / MOST_TURN > waving:
         waving = fastest / MOST_TURN
-    if lashing / LASH > waving:
-        waving = lashing / LASH
+    if t.braces.sizes[0] == 0 and resting == 0:
+        if lashing / LASH > waving:
+            waving = lashing / LASH
+        if fastest / SNAP > waving:
+            waving = fastest / SNAP
     if waving * substep > 1.0:
         return 1.0 / waving if waving * substep * SHORTEST < 1.0 else substep * SHORTEST
     if t.braces.sizes[0] > 0 or resting > 0:

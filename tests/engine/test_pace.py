@@ -3,7 +3,7 @@
 import pytest
 
 from engine import Box, Pin, World
-from engine.linkage.pace import LASH, MOST_TURN, SHORTEST, part_for_joints
+from engine.linkage.pace import LASH, SHORTEST, SNAP, part_for_joints
 
 TICK = 1 / 60
 
@@ -43,9 +43,9 @@ def test_where_all_energy_is_in_what_turns_it_turns_little_in_a_part() -> None:
 def test_what_has_little_energy_may_turn_further() -> None:
     """A light link that turns ten times as fast as the heavy ones that swing."""
     world = spin(chain((100.0, 100.0, 0.001)), 8.0, 8.0, 80.0)
-    assert part(world) == pytest.approx(MOST_TURN / 80.0)
+    assert part(world) == pytest.approx(SNAP / 80.0)
 
 
-def test_no_part_is_shorter_than_a_64th_of_a_substep() -> None:
+def test_no_part_is_shorter_than_a_32nd_of_a_substep() -> None:
     world = spin(chain((1.0,)), 1e6)
     assert part(world) == TICK / world.laws.substeps * SHORTEST
