@@ -62,6 +62,8 @@ def split(k11: float, k12: float, k22: float, v1: float, v2: float) -> tuple[flo
 
     k11 p1 + k12 p2 = v1 and k12 p1 + k22 p2 = v2 (1/kg, m/s).
     """
+    if k22 <= WEDGED * k11:  # joints hold the second, which takes no part
+        return 0.0, v1 / k11
     determinant = k11 * k22 - k12 * k12
     if k12 > 0.0:
         if determinant <= ALIKE * k11 * k22:
