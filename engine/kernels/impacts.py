@@ -11,7 +11,16 @@ as it comes second and never reverses the sliding, no impact gains energy.
 import math
 
 from engine.kernels.circles import stillness
-from engine.kernels.impulses import approach, change_of, give, report, response, slip, split
+from engine.kernels.impulses import (
+    WEDGED,
+    approach,
+    change_of,
+    give,
+    report,
+    response,
+    slip,
+    split,
+)
 from engine.kernels.joined_impacts import exchange_with_joints
 from engine.kernels.pose import advance, place_pair
 from engine.kernels.rubbing import belt_speed
@@ -227,4 +236,4 @@ def share_of_two(t: Tables, pair: int, one: int, other: int, bounce: float) -> t
     k12 = mass + a_1 * a_2 * turn_a + b_1 * b_2 * turn_b
     v1 = bounce * approach(t, pair, one)
     v2 = change_of(approach(t, pair, other), bounce)
-    return split(k11, k12, k22, v1, v2)
+    return split(k11, k12, k22, v1, v2, WEDGED)

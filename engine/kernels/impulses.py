@@ -8,7 +8,7 @@ ALIKE = 1e-12
 """Two points are alike if the determinant of their equations is no larger a share of k11 k22."""
 
 WEDGED = 1e-9
-"""The same for two that joints hold such that what stops one drives the other by as much."""
+"""The same for two of which what stops one drives the other by as much."""
 
 
 def approach(t: Tables, pair: int, point: int) -> float:
@@ -57,18 +57,20 @@ def change_of(speed: float, bounce: float) -> float:
     return bounce * speed if speed > 0.0 else speed
 
 
-def split(k11: float, k12: float, k22: float, v1: float, v2: float) -> tuple[float, float]:
+def split(
+    k11: float, k12: float, k22: float, v1: float, v2: float, wedged: float
+) -> tuple[float, float]:
     """Share of the second of two points and impulse of both, neither pulling, for which
 
     k11 p1 + k12 p2 = v1 and k12 p1 + k22 p2 = v2 (1/kg, m/s).
+
+    Where what stops one drives the other by as much, but for a share `wedged`, the first does it.
     """
-    if k22 <= WEDGED * k11:  # joints hold the second, which takes no part
-        return 0.0, v1 / k11
     determinant = k11 * k22 - k12 * k12
     if k12 > 0.0:
         if determinant <= ALIKE * k11 * k22:
             return 0.5, v1 / k12
-    elif determinant <= WEDGED * k11 * k22:  # no push on both does more
+    elif determinant <= wedged * k11 * k22:  # no push on both does more
         return 0.0, v1 / k11
     p1 = (k22 * v1 - k12 * v2) / determinant
     p2 = (k11 * v2 - k12 * v1) / determinant

@@ -12,6 +12,10 @@ YIELDS = 0.05
 """Share of the speed of free bodies that joined ones change by at least, if they yield at all: the
 impulse that is lacking is found by division by it, and bodies that are jammed hardly move."""
 
+JAMMED = 0.01
+"""Share by which joints must let two points be stopped at once: to within a part, velocities are
+not quite such as joints allow, and what is amiss would be divided by it."""
+
 WEDGED = 0.8
 """Where joints turn a larger share of a push along the surface into one across it, friction of an
 impact would make bodies meet again at once, without end: none acts."""
@@ -122,7 +126,9 @@ def share_with_joints(
     ny = t.touch.normal_y[0]
     by = push(t, pair, x, y, nx, ny)
     k22 = closing(t, pair, x, y, nx, ny, by)
+    if k22 < YIELDS * response(t, pair, x, y, nx, ny):
+        return 0.0, bounce * approach(t, pair, one) / k11  # joints hold the other
     k12 = closing(t, pair, t.touch.x[one], t.touch.y[one], nx, ny, by)
     v1 = bounce * approach(t, pair, one)
     v2 = change_of(approach(t, pair, other), bounce)
-    return split(k11, k12, k22, v1, v2)
+    return split(k11, k12, k22, v1, v2, JAMMED)
