@@ -35,6 +35,10 @@ OVERLAP = 1e-3
 """Overlap that has to be pushed apart whatever the motion, in the same unit; points of a resting
 pair whose gap is no wider touch, if they approach."""
 
+JAMMED = 0.1
+"""Share of its softness that a contact of joined bodies keeps under any load: where joints do not
+let it open, it would grow stiffer with its load, and its load with its stiffness, without end."""
+
 STALLS = 20
 """Parts without duration after which pairs are held: joints may take back at once what lets go."""
 
@@ -276,7 +280,11 @@ def prepare(
     nx = pairs.normal_x[pair]
     ny = pairs.normal_y[pair]
     size = pairs.size[pair]
-    soft = yielding * softness_left(t, pair, omega)
+    joined = is_joined(t, pair)
+    left = softness_left(t, pair, omega)
+    if joined and left < JAMMED:
+        left = JAMMED
+    soft = yielding * left
     explained = settling_speed(t, pair, part)
     share = part / pairs.part[pair] if pairs.part[pair] > 0.0 else 0.0
     if share > 1.0:  # what stopped a motion in a short part is no load that lasts
@@ -287,7 +295,6 @@ def prepare(
     spin_b = bodies.spin[b]
     lowest = 1e300
     fastest = -1e300
-    joined = is_joined(t, pair)
     parting = is_parting(t, pair)
     if parting:
         t.state.deep[0] = 2
