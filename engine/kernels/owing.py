@@ -10,7 +10,7 @@ from engine.kernels.resting import TOUCHING
 from engine.tables import FREE, Tables
 
 
-def put_off(t: Tables, pair_count: int, held: int, part: float, may: bool) -> bool:
+def let_owe(t: Tables, pair_count: int, held: int, part: float, may: bool) -> bool:
     """Let trees of hinges that nothing touches, or is about to, owe what they exert at the end of a
     part (s), if they `may`: it has not been the last of the tick, and nothing has met in it.
 

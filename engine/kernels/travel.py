@@ -23,7 +23,7 @@ from engine.kernels.meeting import (
     foresee_meetings,
     measure_ways,
 )
-from engine.kernels.owing import put_off
+from engine.kernels.owing import let_owe
 from engine.kernels.pose import advance_all, drift_all
 from engine.kernels.resting import (
     OVERLAP,
@@ -166,7 +166,7 @@ def travel(
             advance_all(t.bodies, count, reached)
         if held > 0:
             end_contacts(t, held, count, first, now, part, reached)
-        untouched = put_off(t, pair_count, held, part, clear and part < dt - now)
+        untouched = let_owe(t, pair_count, held, part, clear and part < dt - now)
         if not untouched and (held > 0 or joined > 0):
             relax(t, held, count, part, reached / part, False)
         now = dt if reached >= part and part == dt - now else now + reached
