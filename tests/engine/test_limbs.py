@@ -212,10 +212,10 @@ def test_hinges_solved_once_between_two_parts_move_as_if_solved_twice(
 
     once = whip(5)
     owing = []
-    real = travel.put_off
+    real = travel.let_owe
     monkeypatch.setattr(
         travel,
-        "put_off",
+        "let_owe",
         lambda t, pairs, held, part, may: owing.append(may) or real(t, pairs, held, part, False),
     )
     twice = whip(5)
