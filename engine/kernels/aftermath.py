@@ -6,7 +6,13 @@ All that joints moved with the two has to be looked at too, each pair once.
 from engine.kernels.agenda import enqueue
 from engine.kernels.circles import stillness
 from engine.kernels.following import closes_faster, turning
-from engine.kernels.meeting import approach_of, fastest_within, find_meeting, notice_passing
+from engine.kernels.meeting import (
+    approach_of,
+    fastest_within,
+    find_meeting,
+    notice_passing,
+    swing_of,
+)
 from engine.kernels.pose import place_pair
 from engine.kernels.resting import OVERLAP, explained_speed
 from engine.linkage.answers import changed, has_braces
@@ -37,11 +43,8 @@ def is_deflected(t: Tables, row: int) -> bool:
 def swerve(t: Tables, row: int) -> float:
     """Bound by how much the last impact changed the velocity of any point of a body (m/s)."""
     bodies = t.bodies
-    swing = bodies.reach[row]
-    if bodies.pieces[row] == 1:
-        swing = t.pieces.swing[bodies.first_piece[row]]
     change = abs(bodies.vx[row] - bodies.came_x[row]) + abs(bodies.vy[row] - bodies.came_y[row])
-    return change + abs(bodies.spin[row] - bodies.came_spin[row]) * swing
+    return change + abs(bodies.spin[row] - bodies.came_spin[row]) * swing_of(t, row)
 
 
 def look_again(

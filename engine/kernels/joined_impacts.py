@@ -126,9 +126,9 @@ def share_with_joints(
     ny = t.touch.normal_y[0]
     by = push(t, pair, x, y, nx, ny)
     k22 = closing(t, pair, x, y, nx, ny, by)
-    if k22 < YIELDS * response(t, pair, x, y, nx, ny):
-        return 0.0, bounce * approach(t, pair, one) / k11  # joints hold the other
-    k12 = closing(t, pair, t.touch.x[one], t.touch.y[one], nx, ny, by)
     v1 = bounce * approach(t, pair, one)
+    if k22 < YIELDS * response(t, pair, x, y, nx, ny):
+        return 0.0, v1 / k11  # joints hold the other
+    k12 = closing(t, pair, t.touch.x[one], t.touch.y[one], nx, ny, by)
     v2 = change_of(approach(t, pair, other), bounce)
     return split(k11, k12, k22, v1, v2, JAMMED)

@@ -51,14 +51,20 @@ def measure_ways(t: Tables, count: int, part: float) -> None:
             bodies.way[row] = bodies.rim[row] = 0.0
             continue
         speed = abs(vx[row]) + abs(vy[row]) + (abs(path_x[row]) + abs(path_y[row])) * part
-        swing = bodies.reach[row]
-        if bodies.pieces[row] == 1:
-            swing = t.pieces.swing[bodies.first_piece[row]]
+        swing = swing_of(t, row)
         rim = 0.0
         if swing > 0.0:
             rim = (abs(bodies.spin[row]) + abs(bodies.path_spin[row]) * part) * swing
         bodies.rim[row] = rim * part
         bodies.way[row] = (speed + rim) * part
+
+
+def swing_of(t: Tables, row: int) -> float:
+    """How far any point of a body moves at most as it turns by 1 rad (m)."""
+    bodies = t.bodies
+    if bodies.pieces[row] == 1:
+        return t.pieces.swing[bodies.first_piece[row]]
+    return bodies.reach[row]
 
 
 def find_meetings(t: Tables, pair_count: int, part: float) -> int:

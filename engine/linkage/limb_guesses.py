@@ -23,7 +23,7 @@ def expect_impulse(t: Tables, k: int, part: float) -> None:
     limbs = t.limbs
     joints = t.joints
     joint = limbs.joint[k]
-    owed = t.progress.owed[0] if t.trees.owes[limbs.tree[k]] == 1 else 0.0
+    owed = owed_by(t, k)
     limbs.given_x[k] = 0.0
     limbs.given_y[k] = 0.0
     half = limbs.sign[k] * (part + owed) / 2.0
@@ -37,6 +37,11 @@ def expect_impulse(t: Tables, k: int, part: float) -> None:
     lag_y = joints.lag_1[joint] + (joints.lag_1[joint] - joints.older_1[joint]) * share
     limbs.impulse_x[k] = half * (joints.end_0[joint] + part * lag_x)
     limbs.impulse_y[k] = half * (joints.end_1[joint] + part * lag_y)
+
+
+def owed_by(t: Tables, k: int) -> float:
+    """Length of the part (s) at whose end the tree of a limb owes what it exerts; else 0."""
+    return t.progress.owed[0] if t.trees.owes[t.limbs.tree[k]] == 1 else 0.0
 
 
 def keep_limb_impulses(t: Tables, part: float) -> None:
@@ -54,9 +59,10 @@ def keep_limb_impulses(t: Tables, part: float) -> None:
         y = limbs.sign[k] * limbs.impulse_y[k]
         joints.impulse_0[joint] = x
         joints.impulse_1[joint] = y
-        owed = t.progress.owed[0] if t.trees.owes[limbs.tree[k]] == 1 else 0.0
-        x *= 2.0 / (part + owed)
-        y *= 2.0 / (part + owed)
+        owed = owed_by(t, k)
+        per = 2.0 / (part + owed)
+        x *= per
+        y *= per
         if owed > 0.0:
             joints.end_0[joint] = x
             joints.end_1[joint] = y
