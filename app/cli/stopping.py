@@ -1,6 +1,7 @@
 """Ctrl-C and a polite kill: both unwind the run, so that no unfinished file is left."""
 
 import signal
+import sys
 from types import FrameType
 
 SIGNALS = (signal.SIGINT, signal.SIGTERM)
@@ -27,6 +28,7 @@ class Wish:
 
         Signals that were ignored before, as under nohup, stay so.
         """
+        sys.unraisablehook = _tell_faults
         for number in SIGNALS:
             if signal.getsignal(number) is not signal.SIG_IGN:
                 signal.signal(number, self._stop)
@@ -41,6 +43,12 @@ class Wish:
             signal.signal(each, signal.SIG_IGN)
         self._number = number
         raise Stopped(number)
+
+
+def _tell_faults(unraisable: "sys.UnraisableHookArgs") -> None:
+    """Say nothing of a stop that came within a callback or a destructor; `insist` raises it."""
+    if not isinstance(unraisable.exc_value, Stopped):
+        sys.__unraisablehook__(unraisable)
 
 
 wish = Wish()
