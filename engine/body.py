@@ -11,7 +11,7 @@ from engine.inputs import noted, noted_only
 from engine.pair_rows import measure_anew
 from engine.settings import AS_FRICTION
 from engine.shapes import Barrier, Chain, Particle, Shape, Wall, outlines
-from engine.vector import Vector
+from engine.vector import Vector, rotated
 
 if TYPE_CHECKING:
     from engine.world import World
@@ -387,17 +387,15 @@ class Body:
     def to_world(self, point: Any) -> Vector:
         """Turn a point of the body's frame into one of the world (m)."""
         local = validate.vector(point, "point")
-        cos, sin = math.cos(self.angle), math.sin(self.angle)
         at = Vector(0.0, 0.0) if self.is_wall else self.position
-        return Vector(at.x + cos * local.x - sin * local.y, at.y + sin * local.x + cos * local.y)
+        turned = rotated(local, self.angle)
+        return Vector(at.x + turned.x, at.y + turned.y)
 
     def to_local(self, point: Any) -> Vector:
         """Turn a point of the world into one of the body's frame (m)."""
         world = validate.vector(point, "point")
-        cos, sin = math.cos(self.angle), math.sin(self.angle)
         at = Vector(0.0, 0.0) if self.is_wall else self.position
-        x, y = world.x - at.x, world.y - at.y
-        return Vector(cos * x + sin * y, cos * y - sin * x)
+        return rotated((world.x - at.x, world.y - at.y), -self.angle)
 
     @noted_only
     def exert(self, effort: Force | Torque, duration: float | None = None, at: Any = None) -> Push:

@@ -7,6 +7,7 @@ from engine import filters, materials, validate
 from engine.kernels.pose import put
 from engine.shapes import Barrier, Particle, Piece, Shape
 from engine.tables import Corners, Tables
+from engine.vector import distance
 
 HUGE = 1e100
 """Masses (kg) and moments of inertia (kg m^2) lie between this and its inverse."""
@@ -91,7 +92,7 @@ def write_body(
     for each in shape.pieces:
         write_piece(t, each, row, piece, corner)
         piece, corner = piece + 1, corner + len(each.corners)
-        farthest = each.radius + max(math.dist(p, (0.0, 0.0)) for p in each.corners)
+        farthest = each.radius + max(distance(p, (0.0, 0.0)) for p in each.corners)
         b.reach[row] = max(b.reach[row], farthest)
     put(b, t.corners, row, b.x[row], b.y[row], b.angle[row])
 
@@ -110,9 +111,9 @@ def write_piece(t: Tables, shape: Piece, body: int, row: int, corner: int) -> No
     p.seams[row] = int(bool(shape.seams) and t.bodies.inverse_mass[body] == 0.0)
     write_seams(t.corners, shape, corner)
     p.x[row], p.y[row] = shape.center
-    p.reach[row] = radius + max(math.dist(point, shape.center) for point in points)
+    p.reach[row] = radius + max(distance(point, shape.center) for point in points)
     centered = len(points) == 1 and points[0] == (0.0, 0.0)
-    swing = radius + max(math.dist(point, (0.0, 0.0)) for point in points)
+    swing = radius + max(distance(point, (0.0, 0.0)) for point in points)
     p.swing[row] = 0.0 if centered else swing
     p.inner[row] = radius + write_corners(t.corners, shape, corner)
 

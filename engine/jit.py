@@ -43,6 +43,7 @@ SOURCES = (
     "kernels.circles",
     "kernels.contacts",
     "kernels.crowds",
+    "kernels.elementary",
     "kernels.escaping",
     "kernels.fields",
     "kernels.following",
@@ -96,7 +97,6 @@ SOURCES = (
     "kernels.sweeps",
     "kernels.swinging",
     "kernels.touches",
-    "kernels.turns",
     "kernels.travel",
     "kernels.tick",
 )

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from engine import validate
 from engine.joints import KINDS, UNLIMITED, Pin, Pulley, Rope, Slider, Spec, Spring, Weld
-from engine.vector import Vector
+from engine.vector import Vector, distance, rotated
 
 if TYPE_CHECKING:
     from engine.body import Body
@@ -51,7 +51,7 @@ def joint_columns(
 
 def _own(a: "Body | None", spec: Spec, start: Vector, end: Vector) -> dict[str, float]:
     """The columns of one kind of joint."""
-    far = math.dist(start, end)
+    far = distance(start, end)
     if isinstance(spec, Pin | Slider):
         low, high = spec.limits or UNLIMITED
         most = spec.max_torque if isinstance(spec, Pin) else spec.max_force
@@ -60,14 +60,13 @@ def _own(a: "Body | None", spec: Spec, start: Vector, end: Vector) -> dict[str, 
             own |= {"motor": 1, "speed": spec.motor_speed}
         if isinstance(spec, Slider):
             angle = a.angle if a else 0.0
-            cos, sin = math.cos(angle), math.sin(angle)
-            x, y = spec.axis
-            own |= {"axis_x": cos * x + sin * y, "axis_y": cos * y - sin * x}
+            axis = rotated(spec.axis, -angle)
+            own |= {"axis_x": axis.x, "axis_y": axis.y}
         return own
     if isinstance(spec, Weld):
         return {"low": 0.0, "high": 0.0}
     if isinstance(spec, Pulley):
-        length = math.dist(start, spec.over_a) + spec.ratio * math.dist(end, spec.over_b)
+        length = distance(start, spec.over_a) + spec.ratio * distance(end, spec.over_b)
         length = length if spec.length is None else spec.length
         over = {"over_a_x": spec.over_a.x, "over_a_y": spec.over_a.y}
         over |= {"over_b_x": spec.over_b.x, "over_b_y": spec.over_b.y}

@@ -19,7 +19,7 @@ from engine.joints import (
     Weld,
     check_limits,
 )
-from engine.vector import Vector
+from engine.vector import Vector, rotated
 
 if TYPE_CHECKING:
     from engine.body import Body
@@ -102,9 +102,8 @@ class Joint:
             return turned[1] - turned[0] - float(self._get("rest_angle"))
         if self.kind is Slider:
             angle = self.a.angle if self.a else 0.0
-            cos, sin = math.cos(angle), math.sin(angle)
-            along, across = self._get("axis_x"), self._get("axis_y")
-            return float(x * (cos * along - sin * across) + y * (sin * along + cos * across))
+            axis = rotated((self._get("axis_x"), self._get("axis_y")), angle)
+            return float(x * axis.x + y * axis.y)
         if self.kind is Pulley:
             a_x, a_y = start.x - self._get("over_a_x"), start.y - self._get("over_a_y")
             b_x, b_y = end.x - self._get("over_b_x"), end.y - self._get("over_b_y")

@@ -20,6 +20,7 @@ from engine.hulls import (
     ray_to_hull,
     touching_point,
 )
+from engine.kernels.elementary import cos_sin
 from engine.shapes import Barrier, Piece, Shape
 from engine.store import Store
 from engine.vector import Vector
@@ -180,7 +181,7 @@ class Choice:
 
 def placed(corners: Iterable[Vector], at: Vector, angle: float) -> Hull:
     """Corners of a body's frame, in the world."""
-    cos, sin = math.cos(angle), math.sin(angle)
+    cos, sin = cos_sin(angle)
     return [Vector(at.x + cos * p.x - sin * p.y, at.y + sin * p.x + cos * p.y) for p in corners]
 
 

@@ -140,13 +140,16 @@ class Reactions:
         """What the tilt exerts on every ball, heavy or light (N): roll to +x, pitch to -y."""
         full = self.chosen["tilt.force"]
         return Vector(
-            full * math.sin(math.radians(self.tilt.roll)) + 0.0,
-            -full * math.sin(math.radians(self.tilt.pitch)) + 0.0,
+            Vector.polar(full, math.radians(self.tilt.roll)).y + 0.0,
+            -Vector.polar(full, math.radians(self.tilt.pitch)).y + 0.0,
         )
 
     def radius(self, mass: float) -> float:
-        """Of a ball of some mass (m): all are of the same stuff, so it grows with the cube root."""
-        part = math.cbrt(mass / self.chosen["particle.mass"])
+        """Of a ball of some mass (m): all are of the same stuff, so it grows with the cube root.
+
+        Rounded: the last bit of a root is not the same on all machines.
+        """
+        part = round(math.cbrt(mass / self.chosen["particle.mass"]), 12)
         return self.chosen["particle.radius"] * part
 
     def draw(self, surface: "Surface") -> None:

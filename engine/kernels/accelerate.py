@@ -13,9 +13,8 @@ starts. The difference between that velocity and the reported one is the body's 
 Impacts happen at the velocity of the parabola, so that all four bounce truly.
 """
 
-import math
-
 from engine.kernels.books import note_starts
+from engine.kernels.elementary import cos_sin
 from engine.kernels.fields import immerse, lead_of_euler
 from engine.settings import Laws
 from engine.tables import Bodies, Fields, Pushes
@@ -110,8 +109,7 @@ def push(bodies: Bodies, count: int, pushes: Pushes, pushing: int, dt: float) ->
         share = lasts / dt
         late = (dt - lasts) / 2.0
         angle = bodies.angle[row] + bodies.spin[row] * dt / 2.0
-        cos = math.cos(angle)
-        sin = math.sin(angle)
+        cos, sin = cos_sin(angle)
         arm_x = cos * pushes.at_x[i] - sin * pushes.at_y[i]
         arm_y = sin * pushes.at_x[i] + cos * pushes.at_y[i]
         x = pushes.x[i] * share

@@ -1,7 +1,6 @@
 """Newton's first law: where a body is at a time, if nothing else happens to it."""
 
-import math
-
+from engine.kernels.elementary import cos_sin
 from engine.tables import Bodies, Corners, Tables
 
 
@@ -62,8 +61,7 @@ def put(bodies: Bodies, corners: Corners, row: int, x: float, y: float, angle: f
 
 def turn(corners: Corners, first: int, end: int, x: float, y: float, angle: float) -> None:
     """Put some corners where they are if their body stands at (x, y), turned by `angle`."""
-    cos = math.cos(angle)
-    sin = math.sin(angle)
+    cos, sin = cos_sin(angle)
     for i in range(first, end):
         local_x = corners.x[i]
         local_y = corners.y[i]

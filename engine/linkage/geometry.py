@@ -13,6 +13,7 @@ is kept to rounding even where the constraint is not met exactly, unless it is t
 
 import math
 
+from engine.kernels.elementary import cos_sin
 from engine.tables import Tables
 
 POINT, SLIDE, LINE, STRING = 0, 1, 2, 3
@@ -43,8 +44,7 @@ def place_node(t: Tables, node: int, x: float, y: float, angle: float) -> None:
     nodes.x[node] = x
     nodes.y[node] = y
     nodes.angle[node] = angle
-    nodes.cos[node] = math.cos(angle)
-    nodes.sin[node] = math.sin(angle)
+    nodes.cos[node], nodes.sin[node] = cos_sin(angle)
 
 
 def measure(t: Tables) -> None:

@@ -1,7 +1,6 @@
 """Where trees of hinged bodies will be at the end of a part of a tick, and how far hinges gape."""
 
-import math
-
+from engine.kernels.elementary import cos_sin
 from engine.linkage.limbs import find_worst
 from engine.tables import Tables
 
@@ -23,8 +22,8 @@ def bend(t: Tables) -> None:
         for at in range(bones.sizes[11]):
             bone = bones.acting[at]
             angle = bones.lasts[bone] * (bones.spin[bone] + bones.lent_spin[bone])
-            bones.turn_sin[bone] = math.sin(angle)
-            bones.turn_less[bone] = math.cos(angle) - 1.0
+            cos, bones.turn_sin[bone] = cos_sin(angle)
+            bones.turn_less[bone] = cos - 1.0
 
 
 def bend_bone(t: Tables, bone: int) -> bool:

@@ -20,9 +20,7 @@ Limbs that act are taken in runs, of which no one depends on another. What a run
 that in each loop all rows are one after another: a processor does several at once.
 """
 
-import math
-
-from engine.kernels.turns import MANY_TURNS, turned
+from engine.kernels.elementary import MANY_TURNS, cos_sin, turned
 from engine.linkage.geometry import TORN
 from engine.tables import Tables
 
@@ -95,8 +93,7 @@ def turn_all(t: Tables) -> None:
     else:
         for at in range(bones.sizes[11]):
             bone = bones.acting[at]
-            bones.cos[bone] = math.cos(bones.angle[bone])
-            bones.sin[bone] = math.sin(bones.angle[bone])
+            bones.cos[bone], bones.sin[bone] = cos_sin(bones.angle[bone])
 
 
 def stands(t: Tables) -> bool:
@@ -122,8 +119,7 @@ def stands(t: Tables) -> bool:
 def place_bone(t: Tables, bone: int, x: float, y: float, angle: float) -> None:
     """Put a bone into a pose (m, rad)."""
     set_pose(t, bone, x, y, angle)
-    t.bones.cos[bone] = math.cos(angle)
-    t.bones.sin[bone] = math.sin(angle)
+    t.bones.cos[bone], t.bones.sin[bone] = cos_sin(angle)
 
 
 def place_limb(t: Tables, k: int, parent: int) -> None:

@@ -14,6 +14,7 @@ of all parts: D = 4/(1 + Q + S), K = D (1 + Q)/2 - 1, C = D (1 - Q)/2.
 
 import math
 
+from engine.kernels.elementary import cos_sin, exponential
 from engine.tables import Tables
 
 FASTEST = 2.0
@@ -46,14 +47,14 @@ def coefficients(square: float, decay: float, part: float) -> tuple[float, float
     """K and C for a squared circular frequency (1/s^2), a rate of decay (1/s) and a part (s)."""
     if square * part * part > FASTEST * FASTEST:
         return square * part * part / 4.0, decay * part
-    shrunk = math.exp(-2.0 * decay * part)
+    shrunk = exponential(-2.0 * decay * part)
     rest = square - decay * decay
     if rest > 0.0:
-        swing = 2.0 * math.exp(-decay * part) * math.cos(math.sqrt(rest) * part)
+        swing = 2.0 * exponential(-decay * part) * cos_sin(math.sqrt(rest) * part)[0]
     else:
         fast = decay + math.sqrt(-rest)
         slow = square / fast if fast > 0.0 else 0.0
-        swing = math.exp(-slow * part) + math.exp(-fast * part)
+        swing = exponential(-slow * part) + exponential(-fast * part)
     scale = 4.0 / (1.0 + shrunk + swing)
     elastic = scale * (1.0 + shrunk) / 2.0 - 1.0
     if elastic < 0.0 or square == 0.0:

@@ -2,6 +2,7 @@
 
 import math
 
+from engine.kernels.elementary import cos_sin
 from engine.tables import Corners, Pieces, Touch
 
 
@@ -17,8 +18,7 @@ def round_round(pieces: Pieces, corners: Corners, touch: Touch, a: int, b: int) 
         normal_y = y / distance
     else:  # one on the other: any direction, but not the same for all
         turn = 2.399963229728653 * (pieces.body[a] + pieces.body[b])
-        normal_x = math.cos(turn)
-        normal_y = math.sin(turn)
+        normal_x, normal_y = cos_sin(turn)
     gap = distance - pieces.radius[a] - pieces.radius[b]
     out = pieces.radius[a] + gap / 2.0
     touch.x[0] = corners.world_x[center_a] + out * normal_x

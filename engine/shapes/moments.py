@@ -81,10 +81,10 @@ def _sector(before: Vector, corner: Vector, after: Vector, radius: float) -> Par
     """The sector between the strips of two sides: its centroid is 4 r sin(t/2)/(3 t) away."""
     in_x, in_y = corner.x - before.x, corner.y - before.y
     out_x, out_y = after.x - corner.x, after.y - corner.y
-    turn = math.atan2(in_x * out_y - in_y * out_x, in_x * out_x + in_y * out_y)
-    way = math.atan2(-in_x, in_y) + turn / 2.0
-    away = 4.0 * radius * math.sin(turn / 2.0) / (3.0 * turn)
-    center = Vector(corner.x + away * math.cos(way), corner.y + away * math.sin(way))
+    turn = Vector(in_x * out_x + in_y * out_y, in_x * out_y - in_y * out_x).angle
+    away = 4.0 * radius * Vector.polar(1.0, turn / 2.0).y / (3.0 * turn)
+    way = Vector.polar(away, Vector(in_y, -in_x).angle + turn / 2.0)
+    center = Vector(corner.x + way.x, corner.y + way.y)
     return radius * radius * turn / 2.0, center, radius * radius / 2.0 - away * away
 
 

@@ -3,7 +3,7 @@
 import math
 from typing import NamedTuple
 
-from engine.vector import Vector
+from engine.vector import Vector, distance, rotated
 
 ORIGIN = Vector(0.0, 0.0)
 """Centre of mass of every body, in its own frame (m)."""
@@ -54,7 +54,7 @@ class Piece(NamedTuple):
     @property
     def reach(self) -> float:
         """Radius of a circle about the centre that holds it (m)."""
-        return self.radius + max(math.dist(corner, self.center) for corner in self.corners)
+        return self.radius + max(distance(corner, self.center) for corner in self.corners)
 
     @property
     def outline(self) -> tuple[Vector, ...]:
@@ -71,23 +71,16 @@ class Piece(NamedTuple):
                 turn = (end - start) % (2.0 * math.pi)
             chords = max(1, math.ceil(CHORDS * turn / (2.0 * math.pi) - 1e-9))
             for k in range(chords + (number > 1)):
-                way = start + turn * k / chords
-                edge.append(
-                    Vector(
-                        corner.x + self.radius * math.cos(way),
-                        corner.y + self.radius * math.sin(way),
-                    )
-                )
+                out = Vector.polar(self.radius, start + turn * k / chords)
+                edge.append(Vector(corner.x + out.x, corner.y + out.y))
         return tuple(edge)
 
 
 def turned(point: Vector, offset: Vector, angle: float) -> Vector:
     """The point turned about the origin (rad), then shifted (m)."""
-    cos, sin = math.cos(angle), math.sin(angle)
-    return Vector(
-        offset.x + cos * point.x - sin * point.y, offset.y + sin * point.x + cos * point.y
-    )
+    here = rotated(point, angle)
+    return Vector(offset.x + here.x, offset.y + here.y)
 
 
 def _heading(start: Vector, end: Vector) -> float:
-    return math.atan2(end.y - start.y, end.x - start.x)
+    return Vector(end.x - start.x, end.y - start.y).angle

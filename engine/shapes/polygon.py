@@ -61,7 +61,7 @@ class Polygon:
             raise ValueError(f"sides must be at most {MOST_VERTICES}, not {count}")
         size = validate.positive(radius, "radius")
         turn = 2.0 * math.pi / count
-        around = ((size * math.cos(i * turn), size * math.sin(i * turn)) for i in range(count))
+        around = (Vector.polar(size, i * turn) for i in range(count))
         return cls(around, rounding)
 
     @classmethod

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from engine.hulls import nearest_on_hull, sides
 from engine.shapes.piece import Piece, Seam
 from engine.tables.bodies import HIDDEN, OTHERS, OWN, PLAIN
-from engine.vector import Vector
+from engine.vector import Vector, distance
 
 OUT = 1e-6
 """How far outside of a side it is asked whether others are there, in reaches of the piece."""
@@ -48,7 +48,7 @@ def _neighbours(piece: Piece, pieces: Sequence[Piece]) -> list[Piece]:
         other
         for other in pieces
         if other is not piece
-        and math.dist(piece.center, other.center) <= (piece.reach + other.reach) * (1.0 + NEAR)
+        and distance(piece.center, other.center) <= (piece.reach + other.reach) * (1.0 + NEAR)
     ]
 
 
@@ -65,7 +65,7 @@ def _with_seams(piece: Piece, others: list[Piece]) -> Piece:
 
 def _covered(start: Vector, end: Vector, piece: Piece, others: list[Piece]) -> tuple[float, float]:
     """From where to where a side is covered by others (m, from its start); `BARE` if it is not."""
-    length = math.dist(start, end)
+    length = distance(start, end)
     along = Vector((end.x - start.x) / length, (end.y - start.y) / length)
     out = OUT * piece.reach
     origin = Vector(start.x + out * along.y, start.y - out * along.x)
@@ -155,8 +155,8 @@ def _corner(piece: Piece, i: int, others: list[Piece]) -> tuple[int, Vector, Vec
     before, after = high + math.pi / 2.0, low - math.pi / 2.0
     return (
         kind,
-        Vector(math.cos(before), math.sin(before)),
-        Vector(math.cos(after), math.sin(after)),
+        Vector.polar(1.0, before),
+        Vector.polar(1.0, after),
     )
 
 
@@ -171,9 +171,9 @@ def _sector(piece: Piece, at: Vector, near: float) -> tuple[float, float]:
         return 0.0, FULL
     if piece.radius == 0.0:
         for i, corner in enumerate(corners):
-            if math.dist(corner, at) <= near:
+            if distance(corner, at) <= near:
                 after, before = corners[(i + 1) % len(corners)], corners[i - 1]
-                start = math.atan2(after.y - corner.y, after.x - corner.x)
-                end = math.atan2(before.y - corner.y, before.x - corner.x)
+                start = Vector(after.x - corner.x, after.y - corner.y).angle
+                end = Vector(before.x - corner.x, before.y - corner.y).angle
                 return start, (end - start) % FULL
-    return math.atan2(normal.y, normal.x) + math.pi / 2.0, math.pi
+    return normal.angle + math.pi / 2.0, math.pi

@@ -9,7 +9,7 @@ from typing import Any
 
 from engine import validate
 from engine.shapes.piece import Piece
-from engine.vector import Vector
+from engine.vector import Vector, distance
 
 MOST_POINTS = 100_000
 """Points of a chain."""
@@ -32,7 +32,7 @@ class Wall:
     def __init__(self, start: Any, end: Any, one_sided: bool = False) -> None:
         """Take two different points as (x, y) pairs (m, world coordinates)."""
         first, last = validate.vector(start, "start"), validate.vector(end, "end")
-        if math.dist(first, last) <= 0.0:
+        if distance(first, last) <= 0.0:
             raise ValueError(f"a wall must have a length, but starts and ends at {tuple(first)}")
         object.__setattr__(self, "start", first)
         object.__setattr__(self, "end", last)

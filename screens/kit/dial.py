@@ -46,7 +46,7 @@ class ForceDial:
         self.size = size
         self.closed = False
         self.accepted = False
-        self._direction = math.atan2(force.y, force.x)
+        self._direction = force.angle
         self._held = ""
 
     @property
@@ -169,11 +169,12 @@ class ForceDial:
     def tip(self) -> Point:
         """Where the arrow ends (dp); on the body's outline if there is no force."""
         reach = min(HUB + self.strength * PER_NEWTON, RIM)
-        center = self.center
-        return Point(
-            center.x + reach * math.cos(self._direction),
-            center.y - reach * math.sin(self._direction),
-        )
+        return self._at(reach)
+
+    def _at(self, reach: float) -> Point:
+        """On the arrow's line, so far from the centre (dp)."""
+        way = Vector.polar(reach, self._direction)
+        return Point(self.center.x + way.x, self.center.y - way.y)
 
     @property
     def _upright(self) -> bool:
@@ -188,7 +189,7 @@ class ForceDial:
         x, y = at.x - self.center.x, self.center.y - at.y
         reach = math.sqrt(x * x + y * y)
         steps = round(min(max((reach - HUB) / PER_NEWTON, 0.0), STRONGEST) / STEP)
-        degrees = round(math.degrees(math.atan2(y, x))) % 360 if reach > 0.0 else 0
+        degrees = round(math.degrees(Vector(x, y).angle)) % 360
         self._direction = math.radians(degrees)
         self.force = polar(steps / round(1 / STEP), degrees)
 
@@ -202,7 +203,7 @@ class ForceDial:
             words = quantity(newtons, self.words("unit.N"))
             surface.text(words, label, theme.SMALL, theme.TEXT_MEDIUM, valign="middle")
         for turn in range(12):
-            x, y = math.cos(math.pi * turn / 6), math.sin(math.pi * turn / 6)
+            x, y = Vector.polar(1.0, math.pi * turn / 6)
             outer = Point(center.x + RIM * x, center.y + RIM * y)
             inner = Point(center.x + (RIM - 5) * x, center.y + (RIM - 5) * y)
             surface.line(inner, outer, 1.5, theme.TEXT_DISABLED)
@@ -210,11 +211,11 @@ class ForceDial:
     def _draw_body(self, surface: "Surface", shape: Polygon, angle: float) -> None:
         """The body as it is turned now, as large as the hub."""
         reach = max(math.dist(corner, (0.0, 0.0)) for corner in shape.vertices)
-        grown, cos, sin = (HUB - 2) / reach, math.cos(angle), math.sin(angle)
+        along = Vector.polar((HUB - 2) / reach, angle)
         corners = [
             Point(
-                self.center.x + grown * (cos * x - sin * y),
-                self.center.y - grown * (sin * x + cos * y),
+                self.center.x + along.x * x - along.y * y,
+                self.center.y - along.y * x - along.x * y,
             )
             for x, y in shape.vertices
         ]
@@ -222,10 +223,7 @@ class ForceDial:
 
     def _draw_arrow(self, surface: "Surface") -> None:
         """From the hub to the tip, and the handle about the tip."""
-        center, tip = self.center, self.tip
-        tail = Point(
-            center.x + HUB * math.cos(self._direction), center.y - HUB * math.sin(self._direction)
-        )
+        tip, tail = self.tip, self._at(HUB)
         surface.circle(
             tip, 16, theme.ORANGE, 0.12, outline=theme.ORANGE, outline_alpha=0.7, outline_width=2
         )
@@ -256,5 +254,4 @@ def polar(length: float, degrees: int) -> Vector:
     if degrees % 90 == 0:
         x, y = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[degrees // 90 % 4]
         return Vector(length * x + 0.0, length * y + 0.0)
-    turn = math.radians(degrees)
-    return Vector(length * math.cos(turn), length * math.sin(turn))
+    return Vector.polar(length, math.radians(degrees))

@@ -72,7 +72,7 @@ def throw(seed: int, integrator: str, drag: Any, gravity: tuple[float, float], m
             dice.choice(makers)(),
             mass=dice.uniform(0.2, 5.0),
             position=(0.8 + i % 4 * 1.1, 0.8 + i // 4 * 1.2),
-            angle=dice.uniform(-3, 3),
+            angle=dice.choice([1.0, 1e8]) * dice.uniform(-3, 3),
             velocity=(dice.uniform(-4, 4), dice.uniform(-4, 4)),
             restitution=dice.choice([0.0, 0.3, 1.0]),
             friction=dice.choice([0.0, 0.5]),
