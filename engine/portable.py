@@ -221,7 +221,8 @@ def refill(world: "World", data: dict[str, Any], functions: Functions) -> None:
         raise ValueError(f"next_joint of a saved world must be beyond {joints[-1].id}")
     for name in validate.listed(data["materials"], "the materials of a saved world"):
         world.store.material(material_name(name))
-    world.restore(Snapshot(columns | {"counts": counts}, handles, acting, joints))
+    columns |= {"counts": counts}
+    world.restore(Snapshot(columns, handles, acting, joints, world.laws, world.rules))
 
 
 def _ids(law: ActingLaw, world: "World") -> list[int] | None:

@@ -10,7 +10,7 @@ from engine.filters import ALL, ignored_columns
 from engine.force_laws import ActingLaw, field_columns
 from engine.joint import Joint
 from engine.pair_rows import resting_columns
-from engine.settings import AS_FRICTION
+from engine.settings import AS_FRICTION, Laws, Rules
 from engine.tables import Tables, arrays
 
 STATE = (
@@ -35,6 +35,9 @@ class Snapshot(NamedTuple):
     handles: tuple[Body, ...]
     force_laws: tuple[ActingLaw, ...]
     joints: tuple[Joint, ...]
+    laws: Laws
+    """Gravity among them, which may be set."""
+    rules: Rules
 
 
 def digest(t: Tables, time: float) -> str:

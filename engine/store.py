@@ -18,6 +18,7 @@ from engine.joint import Joint
 from engine.ledger import book_hand, totals
 from engine.materials import number_or_none
 from engine.pair_rows import forget
+from engine.settings import Laws, Rules
 from engine.shapes import Shape
 from engine.snapshot import Snapshot, digest
 from engine.tables import (
@@ -346,8 +347,8 @@ class Store:
             book_hand(self.tables, self.before)
             self.before = None
 
-    def snapshot(self) -> Snapshot:
-        """Copy all that varies."""
+    def snapshot(self, laws: Laws, rules: Rules) -> Snapshot:
+        """Copy all that varies in a world with these laws and rules."""
         self.close_books()
         used = {name: self.count(name) for name in Counts._fields}
         used |= {"counts": 1, "state": 1, "books": 1}
@@ -356,11 +357,16 @@ class Store:
             for name, rows in used.items()
         }
         return Snapshot(
-            columns, tuple(self.handles), tuple(self.acting.values()), tuple(self.joints)
+            tables=columns,
+            handles=tuple(self.handles),
+            force_laws=tuple(self.acting.values()),
+            joints=tuple(self.joints),
+            laws=laws,
+            rules=rules,
         )
 
     def restore(self, snapshot: Snapshot) -> None:
-        """Go back to what a snapshot holds."""
+        """Go back to the tables that a snapshot holds, and to what they belong to."""
         from engine.kernels.pairing import link
 
         self.before = None

@@ -520,16 +520,20 @@ class World:
 
     def snapshot(self) -> Snapshot:
         """Copy all that varies; `restore` brings it back bit for bit."""
-        return self.store.snapshot()
+        return self.store.snapshot(self.laws, self.rules)
 
     @noted
     def restore(self, snapshot: Snapshot) -> None:
-        """Go back to a snapshot of this world; bodies added since are gone, removed ones return."""
+        """Go back to a snapshot of this world; bodies added since are gone, removed ones return.
+
+        Names, and functions that bodies call back, stay what they are.
+        """
         if not isinstance(snapshot, Snapshot):
             raise TypeError(f"only a Snapshot can be restored, not {snapshot!r}")
         if any(body._world is not self for body in snapshot.handles):
             raise ValueError("the snapshot is of another world")
         self.store.restore(snapshot)
+        self.laws, self.rules = snapshot.laws, snapshot.rules
 
     def to_dict(self) -> dict[str, Any]:
         """Say all that varies as plain data that JSON can hold; `from_dict` makes a world of it.

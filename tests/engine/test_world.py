@@ -305,6 +305,21 @@ def test_a_restored_world_continues_as_if_never_interrupted() -> None:
         assert second == first
 
 
+def test_restore_brings_gravity_and_rules_back() -> None:
+    """What was set after the snapshot went on to act: the ball fell upwards, and did not bounce."""
+    world = World(gravity=(0, -9.81), integrator="velocity-verlet")
+    world.add(Wall((-5, 0), (5, 0)), restitution=1.0)
+    world.add(Circle(0.5), position=(0, 1.5))
+    saved = world.snapshot()
+    world.gravity = (0, 20)
+    world.restitution_rule = min
+    world.restore(saved)
+    assert world.gravity == (0, -9.81)
+    for _ in range(60):
+        world.step()
+    assert world.kinetic_energy + world.potential_energy == pytest.approx(9.81 * 1.5, rel=1e-12)
+
+
 def test_restore_brings_bodies_back() -> None:
     world = World()
     a, b = world.add(Circle(1)), world.add(Circle(1), position=(5, 0))
