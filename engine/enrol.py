@@ -5,8 +5,8 @@ from typing import Any
 
 from engine import filters, materials, validate
 from engine.kernels.pose import put
-from engine.shapes import Barrier, Particle, Piece, Shape
-from engine.tables import Corners, Tables
+from engine.shapes import ORIGIN, Barrier, Particle, Piece, Shape
+from engine.tables import Corners, Tables, clear_row
 from engine.vector import distance
 
 HUGE = 1e100
@@ -79,31 +79,32 @@ def _refuse(given: dict[str, Any], names: tuple[str, ...], sentence: str) -> Non
 
 
 def write_body(
-    t: Tables, shape: Shape, id: int, row: int, piece: int, corner: int, values: dict[str, float]
+    t: Tables,
+    pieces: tuple[Piece, ...],
+    id: int,
+    row: int,
+    piece: int,
+    corner: int,
+    values: dict[str, float],
 ) -> None:
     """Write a new body to `row`, its pieces from row `piece` on, their corners from `corner` on."""
     b = t.bodies
-    for column in b:
-        column[row] = 0
-    b.id[row], b.first[row], b.corners[row] = id, corner, corners_of(shape)
-    b.first_piece[row], b.pieces[row] = piece, len(shape.pieces)
+    clear_row(b, row)
+    b.id[row], b.first[row], b.first_piece[row], b.pieces[row] = id, corner, piece, len(pieces)
     for name, value in values.items():
         getattr(b, name)[row] = value
-    for each in shape.pieces:
-        write_piece(t, each, row, piece, corner)
+    for each in pieces:
+        farthest = write_piece(t, each, row, piece, corner)
         piece, corner = piece + 1, corner + len(each.corners)
-        farthest = each.radius + max(distance(p, (0.0, 0.0)) for p in each.corners)
         b.reach[row] = max(b.reach[row], farthest)
+    b.corners[row] = corner - b.first[row]
     put(b, t.corners, row, b.x[row], b.y[row], b.angle[row])
 
 
-def corners_of(shape: Shape) -> int:
-    """Number of corners of all its pieces."""
-    return sum(len(piece.corners) for piece in shape.pieces)
-
-
-def write_piece(t: Tables, shape: Piece, body: int, row: int, corner: int) -> None:
-    """Write a convex piece of the body in row `body` to `row`, its corners from `corner` on."""
+def write_piece(t: Tables, shape: Piece, body: int, row: int, corner: int) -> float:
+    """Write a convex piece of the body in row `body` to `row`, its corners from `corner` on; return
+    how far from the body's centre it reaches (m).
+    """
     p, points, radius = t.pieces, shape.corners, shape.radius
     p.body[row], p.first[row], p.corners[row] = body, corner, len(points)
     p.radius[row], p.one_sided[row] = radius, int(shape.one_sided)
@@ -111,11 +112,11 @@ def write_piece(t: Tables, shape: Piece, body: int, row: int, corner: int) -> No
     p.seams[row] = int(bool(shape.seams) and t.bodies.inverse_mass[body] == 0.0)
     write_seams(t.corners, shape, corner)
     p.x[row], p.y[row] = shape.center
-    p.reach[row] = radius + max(distance(point, shape.center) for point in points)
-    centered = len(points) == 1 and points[0] == (0.0, 0.0)
-    swing = radius + max(distance(point, (0.0, 0.0)) for point in points)
-    p.swing[row] = 0.0 if centered else swing
+    farthest = radius + max(distance(point, ORIGIN) for point in points)
+    p.reach[row] = farthest if shape.center == ORIGIN else shape.reach
+    p.swing[row] = 0.0 if points == (ORIGIN,) else farthest
     p.inner[row] = radius + write_corners(t.corners, shape, corner)
+    return farthest
 
 
 def write_corners(c: Corners, shape: Piece, row: int) -> float:

@@ -4,6 +4,7 @@ Two bodies touch if each is of a category that the other's mask names, unless th
 group other than 0, or one was told to ignore the other. Walls have filters like all bodies.
 """
 
+from bisect import bisect_left
 from typing import Any
 
 import numpy as np
@@ -43,15 +44,17 @@ def ignored_keys(ignored: Ignored, number: int) -> Any:
     return pair_keys(np.asarray(ignored.a)[:number], np.asarray(ignored.b)[:number])
 
 
-def row_of_ignored(t: Tables, a: int, b: int, joint: int) -> int | None:
+def row_of_ignored(t: Tables, a: int, b: int, joint: int) -> tuple[int, bool]:
     """Row of `Ignored` where two bodies, by their ids, ignore each other on behalf of a joint (0:
-    by hand); None if they do not.
+    by hand), and whether they do; if not, it is where that belongs in order.
     """
-    ignored, both = t.ignored, {a, b}
-    for i in range(t.counts.ignored[0]):
-        if {ignored.a[i], ignored.b[i]} == both and ignored.joint[i] == joint:
-            return i
-    return None
+
+    def key(row: int) -> tuple[int, int, int]:
+        return t.ignored.a[row], t.ignored.b[row], t.ignored.joint[row]
+
+    wanted, rows = (min(a, b), max(a, b), joint), range(t.counts.ignored[0])
+    row = bisect_left(rows, wanted, key=key)
+    return row, row in rows and key(row) == wanted
 
 
 def ignored_columns(t: Tables) -> list[Any]:

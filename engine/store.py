@@ -11,7 +11,7 @@ import numpy as np
 
 from engine.body import Body
 from engine.collision import Removed
-from engine.enrol import corners_of, write_body
+from engine.enrol import write_body
 from engine.filters import ignored_keys, pair_keys, row_of_ignored
 from engine.force_laws import ActingLaw, field_table
 from engine.joint import Joint
@@ -29,9 +29,9 @@ from engine.tables import (
     allocate,
     arrays,
     grow,
+    move_row,
     new_tables,
     remove_rows,
-    sort_rows,
     views,
 )
 from engine.tables.linkage import BREAKING, BROKEN
@@ -132,13 +132,14 @@ class Store:
 
     def add_body(self, body: Body, shape: Shape, values: dict[str, float]) -> None:
         """Write a new body, the columns that were given for it and its shape, to a new row."""
+        pieces = shape.pieces
         row, piece, corner = (self.count(name) for name in ("bodies", "pieces", "corners"))
-        ends = (row + 1, piece + len(shape.pieces), corner + corners_of(shape))
+        ends = (row + 1, piece + len(pieces), corner + sum(len(each.corners) for each in pieces))
         for name, rows in zip(("bodies", "pieces", "corners"), ends, strict=True):
             self.make_room(name, rows)
             getattr(self.tables.counts, name)[0] = rows
         self.make_room("grid", 4 * ends[1])
-        write_body(self.tables, shape, body.id, row, piece, corner, values)
+        write_body(self.tables, pieces, body.id, row, piece, corner, values)
         self.handles.append(body)
         self.rows[body.id] = row
         self.list_fields()
@@ -211,8 +212,8 @@ class Store:
 
     def add_joint(self, joint: Joint, values: dict[str, float], collide: bool) -> None:
         """Write a new joint, the columns that were given for it, to a new row."""
-        columns = self.tables.joints._fields
-        self.append("joints", tuple(({"id": joint.id} | values).get(name, 0) for name in columns))
+        given = {"id": joint.id} | values
+        self.append("joints", tuple(given.get(name, 0) for name in self.tables.joints._fields))
         self.joints.append(joint)
         if joint.a is not None and joint.b is not None and not collide:
             self.ignore(joint.a, joint.b, joint.id)
@@ -274,14 +275,15 @@ class Store:
 
     def ignore(self, a: Body, b: Body, joint: int = 0) -> None:
         """Let two bodies pass through each other, by hand or on behalf of a joint."""
-        if row_of_ignored(self.tables, a.id, b.id, joint) is None:
-            self.append("ignored", (min(a.id, b.id), max(a.id, b.id), joint))
-            sort_rows(self.tables.ignored, self.count("ignored"))
+        row, found = row_of_ignored(self.tables, a.id, b.id, joint)
+        if not found:
+            last = self.append("ignored", (min(a.id, b.id), max(a.id, b.id), joint))
+            move_row(self.tables.ignored, last, row)
 
     def heed(self, a: Body, b: Body, joint: int = 0) -> None:
         """Take that back."""
-        row = row_of_ignored(self.tables, a.id, b.id, joint)
-        if row is not None:
+        row, found = row_of_ignored(self.tables, a.id, b.id, joint)
+        if found:
             self.drop("ignored", row)
 
     def ignores(self, a: Body, b: Body) -> bool:

@@ -18,9 +18,14 @@ def finite(value: Any, name: str) -> float:
         TypeError: if it is no real number.
         ValueError: if it is NaN or infinite.
     """
+    if type(value) is float and -math.inf < value < math.inf:  # what most are, at once
+        return value
     if isinstance(value, bool) or not isinstance(value, Real):
         raise TypeError(f"{name} must be a number, not {value!r}")
-    number = float(value)
+    try:
+        number = float(value)
+    except OverflowError:
+        number = math.inf
     if not math.isfinite(number):
         raise ValueError(f"{name} must be finite, not {number}")
     return number
@@ -28,8 +33,6 @@ def finite(value: Any, name: str) -> float:
 
 def positive(value: Any, name: str) -> float:
     """Return `value` as a float; refuse zero and negative numbers as well."""
-    if type(value) is float and 0.0 < value < math.inf:
-        return value
     number = finite(value, name)
     if number <= 0.0:
         raise ValueError(f"{name} must be greater than zero, not {number}")
@@ -66,9 +69,11 @@ def whole(value: Any, name: str, at_least: int, at_most: int | None = None) -> i
 
 def vector(value: Any, name: str) -> Vector:
     """Return `value`, a pair of finite numbers, as a `Vector`."""
-    if isinstance(value, str) or not isinstance(value, Iterable):
-        raise TypeError(f"{name} must be a pair of numbers, not {value!r}")
-    pair = list(value)
+    pair = value
+    if type(value) is not Vector and type(value) is not tuple:
+        if isinstance(value, str) or not isinstance(value, Iterable):
+            raise TypeError(f"{name} must be a pair of numbers, not {value!r}")
+        pair = list(value)
     if len(pair) != 2:
         raise ValueError(f"{name} must be a pair of numbers, not {len(pair)} of them")
     return Vector(finite(pair[0], f"{name}[0]"), finite(pair[1], f"{name}[1]"))

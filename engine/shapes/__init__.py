@@ -3,7 +3,7 @@
 from engine.shapes.compound import Compound
 from engine.shapes.concave import Concave
 from engine.shapes.outline import outlines
-from engine.shapes.piece import Piece
+from engine.shapes.piece import ORIGIN, Piece
 from engine.shapes.polygon import Box, Polygon
 from engine.shapes.round import Capsule, Circle, Particle
 from engine.shapes.wall import Chain, Wall
@@ -15,6 +15,7 @@ Shape = Circle | Particle | Capsule | Polygon | Box | Concave | Compound | Wall 
 """Any of them."""
 
 __all__ = [
+    "ORIGIN",
     "Barrier",
     "Box",
     "Capsule",

@@ -15,9 +15,9 @@ from engine.tables.columns import (
     clear_row,
     copy_row,
     grow,
+    move_row,
     remove_rows,
     side_by_side,
-    sort_rows,
     views,
 )
 from engine.tables.lanes import LANES, Lanes
@@ -104,9 +104,9 @@ __all__ = [
     "clear_row",
     "copy_row",
     "grow",
+    "move_row",
     "new_tables",
     "remove_rows",
     "side_by_side",
-    "sort_rows",
     "views",
 ]

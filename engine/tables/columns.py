@@ -122,12 +122,10 @@ def remove_rows(table: Any, row: int, number: int, rows: int) -> None:
         column[row : rows - number] = column[after:rows]
 
 
-def sort_rows(table: Any, rows: int) -> None:
-    """Sort the first `rows` by the first column, then the second and so on."""
-    columns = [column[:rows] for column in arrays(table)]
-    order = np.lexsort(columns[::-1])
-    for column in columns:
-        column[:] = column[order]
+def move_row(table: Any, source: int, target: int) -> None:
+    """Put a row before an earlier one; those between move down."""
+    for column in arrays(table):
+        column[target : source + 1] = np.roll(column[target : source + 1], 1)
 
 
 def copy_row(table: Any, source: int, target: int) -> None:

@@ -39,7 +39,7 @@ from engine import (
     World,
 )
 
-NO_NUMBER = [math.nan, math.inf, -math.inf, "1", None, True, [1.0], 1j]
+NO_NUMBER = [math.nan, math.inf, -math.inf, 10**400, "1", None, True, [1.0], 1j]
 NEGATIVE = [-1.0, -1e-300]
 NO_POINT = [(math.nan, 0), (0, math.inf), (1,), (1, 2, 3), 3, "ab", (None, 0), ("x", 1)]
 

@@ -1,9 +1,12 @@
 """Who passes through whom: categories, masks, groups, pairs that ignore each other."""
 
+import itertools
 import json
 from typing import Any
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from engine import Body, Circle, Polygon, Removed, Wall, World
 
@@ -92,6 +95,21 @@ def test_two_bodies_ignore_each_other_until_told_otherwise() -> None:
     world.heed(a, b)
     assert not world.ignores(a, b)
     assert collisions(world) == 1
+
+
+@given(st.lists(st.tuples(st.integers(0, 4), st.integers(0, 4), st.booleans()), max_size=30))
+def test_pairs_ignore_each_other_in_whatever_order_they_were_told(
+    told: list[tuple[int, int, bool]],
+) -> None:
+    world = World()
+    bodies = [world.add(Circle(0.1), position=(i, 0)) for i in range(5)]
+    ignoring: set[frozenset[int]] = set()
+    for i, k, ignores in told:
+        if i != k:
+            (world.ignore if ignores else world.heed)(bodies[i], bodies[k])
+            (ignoring.add if ignores else ignoring.discard)(frozenset((i, k)))
+    for i, k in itertools.combinations(range(5), 2):
+        assert world.ignores(bodies[i], bodies[k]) == (frozenset((i, k)) in ignoring)
 
 
 def test_what_is_ignored_is_saved_restored_digested_and_forgotten_with_its_body() -> None:
