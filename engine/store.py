@@ -179,8 +179,9 @@ class Store:
         """Let all tables have room for so many pairs at least."""
         progress = self.tables.progress
         if pairs > progress.room[0]:
-            progress.room[0] = max(pairs + pairs // 2, PAIRS * self.count("pieces"))
-            for name in ("pairs", "found", "parted"):
+            self.make_room("pairs", max(pairs + pairs // 2, PAIRS * self.count("pieces")))
+            progress.room[0] = len(self.tables.pairs[0])
+            for name in ("found", "parted"):
                 self.make_room(name, progress.room[0])
             for name in ("contacts", "links"):
                 self.make_room(name, 2 * progress.room[0])

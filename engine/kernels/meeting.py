@@ -354,6 +354,8 @@ def height_above(t: Tables, wall: int, x: float, y: float) -> float:
 
 def notice_passing(t: Tables, pair: int) -> None:
     """Let through a one-sided wall what comes from behind; stop it again once it is through."""
+    if t.progress.one_sided[0] == 0:
+        return
     pairs = t.pairs
     wall = pairs.piece_a[pair]
     body = pairs.b[pair]

@@ -151,12 +151,16 @@ def link(t: Tables, count: int, pair_count: int) -> None:
     for row in range(count):
         bodies.links[row] = 0
     sensing = 0
+    one_sided = 0
     for pair in range(pair_count):
         bodies.links[pairs.a[pair]] += 1
         bodies.links[pairs.b[pair]] += 1
         if pairs.state[pair] == SENSING:
             sensing += 1
+        one_sided += t.pieces.one_sided[pairs.piece_a[pair]]
+        one_sided += t.pieces.one_sided[pairs.piece_b[pair]]
     t.progress.sensing[0] = sensing
+    t.progress.one_sided[0] = one_sided
     first = 0
     for row in range(count):
         bodies.first_link[row] = first

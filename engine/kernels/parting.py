@@ -14,6 +14,7 @@ import math
 
 from engine.kernels.books import work_of
 from engine.kernels.following import DEEP, find_points, follow, has_drifted
+from engine.kernels.meeting import swing_of
 from engine.kernels.spring import sag
 from engine.kernels.touches import collect
 from engine.linkage.tally import is_joined
@@ -76,8 +77,8 @@ def move_apart(t: Tables, count: int, pair_count: int, dt: float) -> None:
     for row in range(count):
         turn_in_place(t, row)
     for pair in range(pair_count):
-        if bodies.parting[t.pairs.a[pair]] == 1 or bodies.parting[t.pairs.b[pair]] == 1:
-            t.pairs.apart[pair] = 0.0  # what was known of a free pair holds no longer
+        left = t.pairs.apart[pair] - bodies.way[t.pairs.a[pair]] - bodies.way[t.pairs.b[pair]]
+        t.pairs.apart[pair] = left if left > 0.0 else 0.0
 
 
 def aim(t: Tables, pair: int, dt: float) -> None:
@@ -209,12 +210,17 @@ def give(t: Tables, row: int, inertia: float, jx: float, jy: float, spin: float)
 
 
 def turn_in_place(t: Tables, row: int) -> None:
-    """Turn a body as its contacts want, and note whether it was moved."""
+    """Turn a body as its contacts want; note whether it was moved, and how far at most (m)."""
     bodies = t.bodies
     turn = bodies.kick_spin[row]
     moved = bodies.kick_x[row] != 0.0 or bodies.kick_y[row] != 0.0 or turn != 0.0
     bodies.parting[row] = 1 if moved else 0
     bodies.angle[row] += turn
+    bodies.way[row] = abs(bodies.x[row] - bodies.middle_x[row]) + abs(
+        bodies.y[row] - bodies.middle_y[row]
+    )
+    if turn != 0.0:
+        bodies.way[row] += abs(turn) * swing_of(t, row)
     t.books.contact_heat[0] += bodies.torque[row] * turn
 
 

@@ -58,13 +58,13 @@ def settle(t: Tables, count: int, pair_count: int, shortest: float) -> int:
         shortest: flight that counts as none (s).
     """
     pairs = t.pairs
-    one_sided = t.pieces.one_sided
+    one_sided = t.progress.one_sided[0] > 0
     waits = t.bodies.waits
     resting = 0
     for pair in range(pair_count):
         if pairs.state[pair] == FREE and pairs.apart[pair] > TOUCHING * pairs.size[pair]:
             continue
-        if one_sided[pairs.piece_a[pair]] == 1 or one_sided[pairs.piece_b[pair]] == 1:
+        if one_sided:
             notice_passing(t, pair)
         if pairs.state[pair] == FREE and nearly_touch(t, pair) and comes_to_rest(t, pair, shortest):
             touch(t, pair)

@@ -138,6 +138,8 @@ class Progress(NamedTuple):
     """When what meets next meets (s), for all pairs that do so at once; see `agenda`."""
     sensing: Ints
     """Number of pairs with a sensor."""
+    one_sided: Ints
+    """Number of pairs with a wall that stops only what comes from its left."""
     own_rules: Ints
     """1 if coefficients of pairs are made by Python."""
     roused: Ints
