@@ -235,12 +235,12 @@ def follow_to_end(t: Tables, resting: int, part: float, packed: bool) -> int:
         pair = t.pairs.resting[k]
         row = t.pairs.lane[pair] if packed else -1
         if t.pairs.state[pair] == RESTING and turning(t, pair, part) <= TUMBLING:
-            remember(t, pair)
             follow(t, pair, BARELY)
             if are_buried(t, pair) and has_drifted(t, pair):
                 collect(t, pair, 1.0)  # along the normal as it was
                 find_points(t, pair, 0.0)
                 collect(t, pair, -1.0)
+            remember(t, pair)  # of the points that relax: what let go in the part may have new ones
             weigh_if_racing(t, pair)
             stiffen(t, pair, part)
             if row >= 0:

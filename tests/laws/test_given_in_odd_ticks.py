@@ -97,6 +97,28 @@ def test_a_floor_that_begins_to_turn_works_through_rolling_resistance_too() -> N
     assert books.energy_error == pytest.approx(0.0, abs=1e-12)
 
 
+def test_a_body_that_is_struck_on_a_floor_that_turns() -> None:
+    """Its arms are corrected for the way that the blow adds: what turns the floor is its work."""
+    world = World(gravity=(0, -9.81), integrator="velocity-verlet")
+    world.add(Box(4, 0.2), kind="kinematic", spin=0.5, friction=0.5)
+    world.add(Box(1, 0.5), position=(0.5, 0.35), friction=0.5)
+    world.add(Circle(0.2), position=(0.6, 1.2), velocity=(0, -2), restitution=0.5)
+    for _ in range(30):
+        world.step(DT)
+        assert world.ledger().energy_error == pytest.approx(0.0, abs=1e-12)
+
+
+def test_buried_discs_that_bounce_off_and_come_to_rest_again_within_a_part() -> None:
+    """They get a point to relax by, of which the books took off what an earlier one had given."""
+    world = World(gravity=(0, -9.81), integrator="velocity-verlet", substeps=1)
+    world.add(Wall((-2, 0), (2, 0)), restitution=0.1)
+    for radius in (0.3, 0.2):
+        world.add(Circle(radius), position=(0, 0.5), velocity=(0, -5), restitution=0.1)
+    for _ in range(5):
+        world.step(DT)
+        assert world.ledger().energy_error == pytest.approx(0.0, abs=1e-12)
+
+
 def test_a_contact_that_bounces_off_and_comes_to_rest_again_within_a_part() -> None:
     """It has no points then; of what it was to give, more was taken for given than was."""
     world = World(gravity=(0, -0.981), integrator="rk4", substeps=1)
