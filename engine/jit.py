@@ -47,6 +47,7 @@ SOURCES = (
     "kernels.escaping",
     "kernels.fields",
     "kernels.following",
+    "kernels.gaining",
     "kernels.halting",
     "kernels.impacts",
     "kernels.impulses",

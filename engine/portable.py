@@ -140,6 +140,8 @@ DERIVED = (
     "bodies.burdens",
     "bodies.placed",
     "bodies.block",
+    "bodies.gained",
+    "bodies.kicked",
     "bodies.bone",
     "pairs.queue",
     "pairs.resting",

@@ -378,8 +378,8 @@ def book_held(
 
 
 def book_turn(t: Tables, row: int, turn: float) -> None:
-    """Book an angular impulse (N m s) that corrects a contact's torque, just before it acts; what an
-    immovable body that turns gets of it is its own work.
+    """Book an angular impulse (N m s) that corrects a contact's torque, just before it acts; what
+    an immovable body that turns gets of it is its own work.
     """
     work = turn * (t.bodies.spin[row] + turn * t.bodies.inverse_inertia[row] / 2.0)
     t.books.contact_heat[0] -= work

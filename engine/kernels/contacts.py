@@ -19,6 +19,7 @@ from engine.kernels.following import (
     turning,
     weigh_if_racing,
 )
+from engine.kernels.gaining import only_forces_drive, sweep_on
 from engine.kernels.packing import load_points, pack, pack_again, unload
 from engine.kernels.sweeps import QUIET, WILD, warm_start
 from engine.kernels.swinging import obey, swing
@@ -90,6 +91,7 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
         return
     bodies = t.bodies
     violent = is_violent(t, resting)
+    calm = False
     for row in range(count):
         if bodies.held[row] > 0:
             ax = bodies.ax[row]
@@ -122,7 +124,9 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
         few = PRESSING if most == MOST_SWEEPS else most
         sweep_groups(t, resting, most, few, CALM, CALM, early, True)
     else:
-        press(t, resting, part, most, gives_up)
+        calm = press(t, resting, part, most, gives_up)
+    if not calm and not joints_act(t) and only_forces_drive(t, count):
+        sweep_on(t, resting, count, part, CALM, crowded)
     bind_limbs(t, part)
     keep_impulses(t, part)
     for row in range(count):
@@ -133,9 +137,10 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
             note_part(bodies, row)
 
 
-def press(t: Tables, resting: int, part: float, most: int, gives_up: bool) -> None:
+def press(t: Tables, resting: int, part: float, most: int, gives_up: bool) -> bool:
     """Sweep over contacts, `most` times at most, and let joints hold at the end of the part (s)
-    each time; for the wild that are left as they are see `has_settled`.
+    each time; for the wild that are left as they are see `has_settled`. Returns whether contacts
+    became calm.
 
     Where joints find no solution, contacts are swept again without: what held them was not there.
     """
@@ -150,7 +155,8 @@ def press(t: Tables, resting: int, part: float, most: int, gives_up: bool) -> No
         elif has_settled(found, gives_up and swept == WILD_SWEEPS) and (
             resting == 0 or failed <= CALM
         ):
-            return
+            return found == QUIET
+    return False
 
 
 def is_crowd(t: Tables, resting: int, violent: bool) -> bool:

@@ -29,7 +29,7 @@ from engine.kernels.steady import (
     strays,
     watch,
 )
-from engine.kernels.sticking import cluster_of, island_of
+from engine.kernels.sticking import cluster_of, connect, island_of
 from engine.kernels.touches import collect, touch
 from engine.linkage.acting import list_acting
 from engine.linkage.limb_impulses import forget_jolts
@@ -137,22 +137,6 @@ def find_steady(t: Tables, count: int, resting: int, dt: float) -> int:
             if bodies.cluster[row] == row:
                 islands += 1
     return islands
-
-
-def connect(t: Tables, resting: int) -> None:
-    """Find for each body one that stands for its island, by contacts and hinges."""
-    bodies = t.bodies
-    bones = t.bones
-    for k in range(resting):
-        a = t.pairs.a[t.pairs.resting[k]]
-        b = t.pairs.b[t.pairs.resting[k]]
-        if bodies.inverse_mass[a] > 0.0 and bodies.inverse_mass[b] > 0.0:
-            bodies.cluster[cluster_of(t, b)] = cluster_of(t, a)
-    for k in range(bones.sizes[0]):
-        parent = t.limbs.parent[k]
-        if parent < bones.sizes[1]:
-            body = bones.body[parent]
-            bodies.cluster[cluster_of(t, bones.body[k])] = cluster_of(t, body)
 
 
 def bear_anew(t: Tables, count: int, waiting: int, dt: float) -> bool:

@@ -43,7 +43,7 @@ def stand(t: Tables, count: int, resting: int, dt: float, anew: bool) -> int:
     """Let islands that are new, or all that are listed, `anew`, be steady in a tick of `dt` seconds
     if they are in equilibrium.
 
-    Islands are known (see `islands.connect`); `Bodies.stirred` is 1 for those that are not listed,
+    Islands are known (see `sticking.connect`); `Bodies.stirred` is 1 for those that are not listed,
     and is 0 afterwards for those that stand. Returns how many bodies do.
     """
     choose(t, count, resting, dt, anew)

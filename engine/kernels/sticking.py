@@ -58,6 +58,22 @@ def cluster_of(t: Tables, row: int) -> int:
     return row
 
 
+def connect(t: Tables, resting: int) -> None:
+    """Find for each body one that stands for its island, by contacts and hinges."""
+    bodies = t.bodies
+    bones = t.bones
+    for k in range(resting):
+        a = t.pairs.a[t.pairs.resting[k]]
+        b = t.pairs.b[t.pairs.resting[k]]
+        if bodies.inverse_mass[a] > 0.0 and bodies.inverse_mass[b] > 0.0:
+            bodies.cluster[cluster_of(t, b)] = cluster_of(t, a)
+    for k in range(bones.sizes[0]):
+        parent = t.limbs.parent[k]
+        if parent < bones.sizes[1]:
+            body = bones.body[parent]
+            bodies.cluster[cluster_of(t, bones.body[k])] = cluster_of(t, body)
+
+
 def island_of(t: Tables, pair: int) -> int:
     """The body that stands for the cluster, or the island, of a pair."""
     a = t.pairs.a[pair]

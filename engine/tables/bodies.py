@@ -152,6 +152,10 @@ class Bodies(NamedTuple):
     """Pose when the present part of the tick began (m, rad)."""
     from_y: Floats
     from_angle: Floats
+    gained: Floats
+    """Energy that contacts bring to its island in the present part (J); see `gaining`."""
+    kicked: Floats
+    """Energy that its bodies would have by what contacts kick them alone (J)."""
     mean_x: Floats
     """Mean velocity in the present part, or of before and after an exchange of impulses (m/s)."""
     mean_y: Floats
