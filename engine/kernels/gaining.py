@@ -20,7 +20,7 @@ MORE = 4
 
 
 def only_forces_drive(t: Tables, count: int) -> bool:
-    """Whether contacts have no energy to bring: nothing immovable that is touched moves, or runs."""
+    """Whether contacts have no energy to bring: nothing immovable that is touched moves."""
     bodies = t.bodies
     for row in range(count):
         if bodies.held[row] > 0 and bodies.inverse_mass[row] == 0.0:
