@@ -210,14 +210,21 @@ def withdraw_lost(t: Tables, final: bool, found: bool) -> int:
         if abs(bones.spin[bone] + bones.lent_spin[bone]) * bones.lasts[bone] > MOST_TURN:
             trees.does[bones.tree[bone]] = FORWARD
             trees.worst[bones.tree[bone]] = 2.0 * FARTHEST * FARTHEST
+    for at in range(bones.sizes[8]):
+        k = bones.acting[at]
+        tree = limbs.tree[k]
+        if limbs.ease[k] == 0.0 and bones.inverse_inertia[k] > 0.0 and trees.before[tree] < 1e300:
+            trees.does[tree] = FORWARD
+            trees.worst[tree] = 2.0 * FARTHEST * FARTHEST
     for i in range(t.bones.sizes[10]):
         tree = trees.acting[i]
         if trees.does[tree] != DONE and not trees.worst[tree] <= loose * loose:
             lost += 1
             first = trees.first[tree]
             for at in range(first, first + trees.limbs[tree]):
-                limbs.impulse_x[limbs.member[at]] = 0.0
-                limbs.impulse_y[limbs.member[at]] = 0.0
+                k = limbs.member[at]
+                limbs.impulse_x[k] = limbs.given_x[k] if trees.evenly[tree] == 1 else 0.0
+                limbs.impulse_y[k] = limbs.given_y[k] if trees.evenly[tree] == 1 else 0.0
     return lost
 
 

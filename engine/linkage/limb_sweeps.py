@@ -63,9 +63,13 @@ def place_even(t: Tables, part: float) -> None:
 
 
 def expect_evenly(t: Tables, k: int, part: float) -> None:
-    """Expect of a limb the force of the part before, all through the part (s)."""
+    """Expect of a limb the force of the part before, all through the part (s), but, like of a
+    contact, no larger impulse: what stopped a motion in a short part is no load that lasts.
+    """
     joint = t.limbs.joint[k]
-    share = t.limbs.sign[k] * part
+    before = t.joints.part[joint]
+    share = t.limbs.sign[k] * (part if part < before else before)
+    t.joints.part[joint] = part
     t.limbs.impulse_x[k] = share * t.joints.end_0[joint]
     t.limbs.impulse_y[k] = share * t.joints.end_1[joint]
     t.limbs.given_x[k] = 0.0
