@@ -18,6 +18,7 @@ from engine.linkage.limb_impulses import (
     read_held,
 )
 from engine.linkage.limbs import gather_masses, place_limb, set_pose, turn_all
+from engine.linkage.pace import SHORTEST
 from engine.tables import Tables
 
 
@@ -63,12 +64,12 @@ def place_even(t: Tables, part: float) -> None:
 
 
 def expect_evenly(t: Tables, k: int, part: float) -> None:
-    """Expect of a limb the force of the part before, all through the part (s), but, like of a
-    contact, no larger impulse: what stopped a motion in a short part is no load that lasts.
+    """Expect of a limb the force of the part before, all through the part (s), but no larger
+    impulse if that was much shorter: what stopped a motion at once is no load that lasts.
     """
     joint = t.limbs.joint[k]
     before = t.joints.part[joint]
-    share = t.limbs.sign[k] * (part if part < before else before)
+    share = t.limbs.sign[k] * (part if part * SHORTEST <= before else before)
     t.joints.part[joint] = part
     t.limbs.impulse_x[k] = share * t.joints.end_0[joint]
     t.limbs.impulse_y[k] = share * t.joints.end_1[joint]
