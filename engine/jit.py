@@ -69,6 +69,7 @@ SOURCES = (
     "linkage.limbs",
     "linkage.modes",
     "linkage.pace",
+    "linkage.throwing",
     "linkage.positions",
     "linkage.skyline",
     "linkage.springs",

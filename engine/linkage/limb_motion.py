@@ -27,6 +27,7 @@ from engine.linkage.limbs import (
     stands,
 )
 from engine.linkage.modes import CLOSING
+from engine.linkage.throwing import note_bounds, throws_tree, weigh_trees
 from engine.tables import Tables
 
 MOST_STEPS = 40
@@ -64,9 +65,6 @@ FARTHEST = 1e100
 MOST_TURN = 0.35
 """or if a body would turn by more (rad): that may be another solution, bent the other way."""
 
-LIVELIER = 0.05
-"""Share."""
-
 MANY = 3
 """If one tree in so many needs a step, all take it, side by side."""
 
@@ -93,7 +91,7 @@ def brace_limbs(t: Tables, part: float) -> None:
     for at in range(t.bones.sizes[9]):
         forget_jolts(t, t.bones.acting[at])
     find_even(t)
-    note_energies(t, part)
+    note_bounds(t, part)
     place_even(t, part)
     for at in range(t.bones.sizes[8]):
         k = t.bones.acting[at]
@@ -220,10 +218,11 @@ def withdraw_lost(t: Tables, final: bool, found: bool) -> int:
         if limbs.ease[k] == 0.0 and bones.inverse_inertia[k] > 0.0 and trees.before[tree] < 1e300:
             trees.does[tree] = FORWARD
             trees.worst[tree] = 2.0 * FARTHEST * FARTHEST
-    mark_thrown(t)
+    weigh_trees(t)
     for i in range(t.bones.sizes[10]):
         tree = trees.acting[i]
-        if trees.does[tree] != DONE and not trees.worst[tree] <= loose * loose:
+        failed = trees.does[tree] != DONE and not trees.worst[tree] <= loose * loose
+        if failed or throws_tree(t, tree):
             lost += 1
             first = trees.first[tree]
             for at in range(first, first + trees.limbs[tree]):
@@ -231,58 +230,6 @@ def withdraw_lost(t: Tables, final: bool, found: bool) -> int:
                 limbs.impulse_x[k] = limbs.given_x[k] if trees.evenly[tree] == 1 else 0.0
                 limbs.impulse_y[k] = limbs.given_y[k] if trees.evenly[tree] == 1 else 0.0
     return lost
-
-
-def note_energies(t: Tables, part: float) -> None:
-    """Note twice the kinetic energies of trees in the middle of a part (s), joints apart."""
-    bones = t.bones
-    bodies = t.bodies
-    energy = t.trees.lively
-    for at in range(bones.sizes[10]):
-        energy[t.trees.acting[at]] = 0.0
-    half = part / 2.0
-    for at in range(bones.sizes[9]):
-        bone = bones.acting[at]
-        row = bones.body[bone]
-        x = bodies.vx[row] + bodies.ax[row] * half
-        y = bodies.vy[row] + bodies.ay[row] * half
-        turn = bodies.spin[row] + bodies.aspin[row] * half
-        energy[bones.tree[bone]] += bones.mass[bone] * (x * x + y * y) + bones.inertia[bone] * (
-            turn * turn
-        )
-
-
-def mark_thrown(t: Tables) -> None:
-    """Mark trees as lost whose hinges would make them much livelier."""
-    bones = t.bones
-    trees = t.trees
-    limbs = t.limbs
-    for at in range(bones.sizes[10]):
-        trees.lash[trees.acting[at]] = -(1.0 + LIVELIER) * trees.lively[trees.acting[at]]
-    for at in range(bones.sizes[9]):
-        bone = bones.acting[at]
-        x = bones.vx[bone] + bones.lent_x[bone]
-        y = bones.vy[bone] + bones.lent_y[bone]
-        turn = bones.spin[bone] + bones.lent_spin[bone]
-        trees.lash[bones.tree[bone]] += bones.mass[bone] * (x * x + y * y) + bones.inertia[bone] * (
-            turn * turn
-        )
-    for at in range(bones.sizes[10]):
-        tree = trees.acting[at]
-        if trees.evenly[tree] == 0 and trees.lash[tree] > 0.0:
-            mass = 0.0
-            fastest = 0.0
-            first = trees.first[tree]
-            for i in range(first, first + trees.limbs[tree]):
-                k = limbs.member[i]
-                mass += bones.mass[k]
-                x = limbs.gap_x[k] / bones.lasts[k]
-                y = limbs.gap_y[k] / bones.lasts[k]
-                if x * x + y * y > fastest:
-                    fastest = x * x + y * y
-            if trees.lash[tree] > mass * fastest:
-                trees.does[tree] = FORWARD
-                trees.worst[tree] = 2.0 * FARTHEST * FARTHEST
 
 
 def note_first(t: Tables) -> float:

@@ -26,6 +26,16 @@ def coordinate_row(t: Tables, brace: int) -> int:
     return t.braces.first[brace] + 2 if t.braces.rows[brace] == 3 else -1
 
 
+def scale_of(t: Tables, row: int, joint: int) -> float:
+    """Unit of the tolerances of a row: the joint's size (m), or 1 rad."""
+    return 1.0 if is_angle(t, row) else t.joints.size[joint]
+
+
+def is_angle(t: Tables, row: int) -> bool:
+    """Whether a row constrains an angle."""
+    return t.arms.x[2 * row + 1] == 0.0 and t.arms.y[2 * row + 1] == 0.0
+
+
 def first_mode(t: Tables, joint: int) -> int:
     """What the coordinate does at the start of a part, judging by the part before."""
     joints = t.joints

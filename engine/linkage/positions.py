@@ -19,14 +19,17 @@ from engine.linkage.modes import (
     bounds,
     coordinate_row,
     first_mode,
+    is_angle,
     left_over,
     miss_of_mode,
     next_mode,
+    scale_of,
 )
 from engine.linkage.skyline import assemble, factorise, solve
 from engine.linkage.springs import miss, tune
+from engine.linkage.throwing import throws
 from engine.tables import Tables
-from engine.tables.linkage import AT_HIGH, AT_LOW, ELASTIC, FIXED, FREE_WAY
+from engine.tables.linkage import ELASTIC, FREE_WAY
 
 MOST_STEPS = 40
 """Steps of Newton's method that a part has at most."""
@@ -39,9 +42,6 @@ FAILED = 1e-8
 
 MOST_TURN = 1.5
 """A solution that turns a body by more in a part, beyond its own spin, is none (rad)."""
-
-LIVELIER = 0.05
-"""Share of their kinetic energy."""
 
 FARTHEST = 1e300
 """No miss is larger."""
@@ -169,77 +169,6 @@ def turns_over(t: Tables, part: float) -> bool:
         if abs(nodes.spin[node] + nodes.lent_spin[node] - own) * part > MOST_TURN:
             return True
     return False
-
-
-def throws(t: Tables, part: float) -> bool:
-    """Whether joints that only hold make bodies much livelier in a part (s): they do no work, but
-    for what turns meanwhile, and for gaps that close.
-    """
-    nodes = t.nodes
-    bodies = t.bodies
-    energy = 0.0
-    mass = 0.0
-    swing = 0.0
-    for node in range(1, t.braces.sizes[1]):
-        row = nodes.body[node]
-        if bodies.inverse_mass[row] > 0.0:
-            x = nodes.vx[node] - nodes.sum_x[node]
-            y = nodes.vy[node] - nodes.sum_y[node]
-            energy += bodies.mass[row] * (x * x + y * y)
-            mass += bodies.mass[row]
-            swing += bodies.mass[row] * bodies.reach[row] * bodies.reach[row]
-        if bodies.inverse_inertia[row] > 0.0:
-            turn = nodes.spin[node] - nodes.sum_spin[node]
-            energy += bodies.inertia[row] * turn * turn
-    work = 0.0
-    closing = 0.0
-    turning = 0.0
-    for brace in range(t.braces.sizes[0]):
-        joint = t.braces.joint[brace]
-        coordinate = coordinate_row(t, brace)
-        first = t.braces.first[brace]
-        for row in range(first, first + t.braces.rows[brace]):
-            done = t.equations.impulse[row] * (way_of(t, 2 * row) + way_of(t, 2 * row + 1))
-            if row == coordinate and drives(t, joint, row):
-                energy += abs(done)
-                continue
-            work += done
-            if row != coordinate:
-                rate = abs(t.equations.start[row]) / part
-                most = CLOSING * scale_of(t, row, joint)
-                rate = rate if rate < most else most
-                if is_angle(t, row):
-                    turning = rate if rate > turning else turning
-                else:
-                    closing = rate if rate > closing else closing
-    energy *= LIVELIER
-    return work > energy + mass * closing * closing + swing * turning * turning
-
-
-def drives(t: Tables, joint: int, row: int) -> bool:
-    """Whether a coordinate does work: as a spring or a motor, or as hands changed where it is held,
-    or put it beyond its limit.
-    """
-    mode = t.joints.mode[joint]
-    start = t.equations.start[row]
-    slack = FAILED * scale_of(t, row, joint)
-    if mode == AT_HIGH:
-        return start > t.joints.high[joint] + slack
-    if mode == AT_LOW:
-        return start < t.joints.low[joint] - slack
-    return mode != FIXED or abs(start - t.joints.low[joint]) > slack
-
-
-def way_of(t: Tables, arm: int) -> float:
-    """Twice what one body adds to the mean velocity of a row without and with joints (m/s)."""
-    nodes = t.nodes
-    arms = t.arms
-    node = arms.node[arm]
-    return (
-        arms.x[arm] * (2.0 * nodes.vx[node] + nodes.lent_x[node] - nodes.sum_x[node])
-        + arms.y[arm] * (2.0 * nodes.vy[node] + nodes.lent_y[node] - nodes.sum_y[node])
-        + arms.turn[arm] * (2.0 * nodes.spin[node] + nodes.lent_spin[node] - nodes.sum_spin[node])
-    )
 
 
 def take_back(t: Tables) -> None:
@@ -398,16 +327,6 @@ def choose_modes(t: Tables, part: float) -> bool:
                 t.joints.mode[joint] = mode
                 changed = True
     return changed
-
-
-def scale_of(t: Tables, row: int, joint: int) -> float:
-    """Unit of the tolerances of a row: the joint's size (m), or 1 rad."""
-    return 1.0 if is_angle(t, row) else t.joints.size[joint]
-
-
-def is_angle(t: Tables, row: int) -> bool:
-    """Whether a row constrains an angle."""
-    return t.arms.x[2 * row + 1] == 0.0 and t.arms.y[2 * row + 1] == 0.0
 
 
 def find_misses(t: Tables, part: float) -> float:

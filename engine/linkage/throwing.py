@@ -1,0 +1,153 @@
+"""Which solutions of joints would throw the bodies: those that make them livelier.
+
+Joints that hold do no work. What they exert at the start of a part of a tick, and take back at its
+end, changes kinetic energy in between by no more than bodies turn meanwhile: one that goes round on
+a circle, by an angle a in a part, goes along the chord, for which it needs tan^2(a/2) = a^2/4 of its
+energy more. But equations may have other solutions: links between two fixed points that are all but
+straight, or a light link between heavy ones, can be thrown to the other side, and back, within a
+part. What is thrown has its energy from nowhere.
+"""
+
+from engine.linkage.modes import CLOSING, coordinate_row, is_angle, scale_of
+from engine.tables import Tables
+from engine.tables.linkage import AT_HIGH, AT_LOW, FIXED
+
+LIVELIER = 0.01
+"""Share of their kinetic energy that bodies gain at most, but for what turns, and gaps that close:
+parts are so short that motion which is followed well needs less."""
+
+SATISFIED = 1e-8
+"""A coordinate that is further from where it is held, as hands changed that, is driven there, in
+sizes of the joint or rad."""
+
+
+def throws(t: Tables, part: float) -> bool:
+    """Whether joints that only hold, trees of hinges apart, do so in a part (s)."""
+    nodes = t.nodes
+    bodies = t.bodies
+    most = 0.0
+    mass = 0.0
+    swing = 0.0
+    for node in range(1, t.braces.sizes[1]):
+        row = nodes.body[node]
+        if bodies.inverse_mass[row] > 0.0 or bodies.inverse_inertia[row] > 0.0:
+            x = nodes.vx[node] - nodes.sum_x[node]
+            y = nodes.vy[node] - nodes.sum_y[node]
+            turn = nodes.spin[node] - nodes.sum_spin[node]
+            most += bound(t, row, x, y, turn, part) - energy(t, row, x, y, turn)
+            if bodies.inverse_mass[row] > 0.0:
+                mass += bodies.mass[row]
+                swing += bodies.mass[row] * bodies.reach[row] * bodies.reach[row]
+    work = 0.0
+    closing = 0.0
+    turning = 0.0
+    for brace in range(t.braces.sizes[0]):
+        joint = t.braces.joint[brace]
+        coordinate = coordinate_row(t, brace)
+        first = t.braces.first[brace]
+        for row in range(first, first + t.braces.rows[brace]):
+            done = t.equations.impulse[row] * (way_of(t, 2 * row) + way_of(t, 2 * row + 1))
+            if row == coordinate and drives(t, joint, row):
+                most += LIVELIER * abs(done)
+                continue
+            work += done
+            if row != coordinate:
+                scale = scale_of(t, row, joint)
+                rate = abs(t.equations.start[row]) / part
+                rate = rate if rate < CLOSING * scale else CLOSING * scale
+                if is_angle(t, row):
+                    turning = rate if rate > turning else turning
+                else:
+                    closing = rate if rate > closing else closing
+    return work > most + mass * closing * closing + swing * turning * turning
+
+
+def drives(t: Tables, joint: int, row: int) -> bool:
+    """Whether a coordinate does work: as a spring or a motor, or as hands changed where it is held,
+    or put it beyond its limit.
+    """
+    mode = t.joints.mode[joint]
+    start = t.equations.start[row]
+    slack = SATISFIED * scale_of(t, row, joint)
+    if mode == AT_HIGH:
+        return start > t.joints.high[joint] + slack
+    if mode == AT_LOW:
+        return start < t.joints.low[joint] - slack
+    return mode != FIXED or abs(start - t.joints.low[joint]) > slack
+
+
+def way_of(t: Tables, arm: int) -> float:
+    """What one body adds to the mean velocity of a row, without joints and with them (m/s)."""
+    nodes = t.nodes
+    arms = t.arms
+    node = arms.node[arm]
+    return (
+        arms.x[arm] * (2.0 * nodes.vx[node] + nodes.lent_x[node] - nodes.sum_x[node])
+        + arms.y[arm] * (2.0 * nodes.vy[node] + nodes.lent_y[node] - nodes.sum_y[node])
+        + arms.turn[arm] * (2.0 * nodes.spin[node] + nodes.lent_spin[node] - nodes.sum_spin[node])
+    )
+
+
+def energy(t: Tables, row: int, x: float, y: float, turn: float) -> float:
+    """Twice the kinetic energy (J) of a body with a velocity (m/s) and a spin (rad/s)."""
+    bodies = t.bodies
+    moving = bodies.mass[row] * (x * x + y * y) if bodies.inverse_mass[row] > 0.0 else 0.0
+    turning = bodies.inertia[row] * turn * turn if bodies.inverse_inertia[row] > 0.0 else 0.0
+    return moving + turning
+
+
+def bound(t: Tables, row: int, x: float, y: float, turn: float, part: float) -> float:
+    """The most that this may become by joints in a part (s)."""
+    angle = turn * part
+    return energy(t, row, x, y, turn) * (1.0 + LIVELIER + angle * angle / 4.0)
+
+
+def note_bounds(t: Tables, part: float) -> None:
+    """Note for each tree what its energy in the middle of the part (s) may become by its hinges."""
+    bones = t.bones
+    bodies = t.bodies
+    most = t.trees.lively
+    for at in range(bones.sizes[10]):
+        most[t.trees.acting[at]] = 0.0
+    half = part / 2.0
+    for at in range(bones.sizes[9]):
+        bone = bones.acting[at]
+        row = bones.body[bone]
+        x = bodies.vx[row] + bodies.ax[row] * half
+        y = bodies.vy[row] + bodies.ay[row] * half
+        turn = bodies.spin[row] + bodies.aspin[row] * half
+        most[bones.tree[bone]] += bound(t, row, x, y, turn, part)
+
+
+def weigh_trees(t: Tables) -> None:
+    """Find for each tree by how much its energy becomes larger than that (J, twice)."""
+    bones = t.bones
+    more = t.trees.lash
+    for at in range(bones.sizes[10]):
+        more[t.trees.acting[at]] = -t.trees.lively[t.trees.acting[at]]
+    for at in range(bones.sizes[9]):
+        bone = bones.acting[at]
+        x = bones.vx[bone] + bones.lent_x[bone]
+        y = bones.vy[bone] + bones.lent_y[bone]
+        turn = bones.spin[bone] + bones.lent_spin[bone]
+        more[bones.tree[bone]] += energy(t, bones.body[bone], x, y, turn)
+
+
+def throws_tree(t: Tables, tree: int) -> bool:
+    """Whether hinges of a tree on which no contacts act throw it, beyond what closes gaps."""
+    bones = t.bones
+    limbs = t.limbs
+    trees = t.trees
+    if trees.evenly[tree] == 1 or trees.lash[tree] <= 0.0:
+        return False
+    mass = bones.mass[trees.root[tree]] if trees.root[tree] >= 0 else 0.0
+    fastest = 0.0
+    first = trees.first[tree]
+    for at in range(first, first + trees.limbs[tree]):
+        k = limbs.member[at]
+        mass += bones.mass[k]
+        square = limbs.gap_x[k] * limbs.gap_x[k] + limbs.gap_y[k] * limbs.gap_y[k]
+        square /= bones.lasts[k] * bones.lasts[k]
+        if square > fastest:
+            fastest = square
+    return trees.lash[tree] > mass * fastest
