@@ -139,13 +139,15 @@ def comes_to_rest(t: Tables, pair: int, shortest: float) -> bool:
     return stays(t, pair, speed if speed > 0.0 else -speed, shortest, True)
 
 
-def hold(t: Tables, count: int, resting: int, now: float, part: float, substep: float) -> int:
+def hold(
+    t: Tables, count: int, resting: int, now: float, part: float, substep: float, anew: bool
+) -> int:
     """Solve the resting contacts for a part of the tick (s); return how many pairs still rest.
 
     Contacts that close faster than forces explain are struck first: a box that rocks on a corner
-    slaps the floor with the other.
+    slaps the floor with the other. `anew`, that was done for a longer part, which is not taken.
     """
-    for again in (False, True):
+    for again in (anew, True):
         if resting > 0:
             place_middle(t, count, part / 2.0, again)
         resting, hit = ready_all(t, resting, now, part, substep, again)

@@ -233,12 +233,12 @@ def plan(
     shortest = part_for_joints(t, substep, part, resting, longest)
     if shortest < part * (1.0 - 1e-9):
         part = shortest
-    t.progress.final[0] = 1 if resting > 0 or part <= substep * SHORTEST else 0
-    held = hold(t, count, resting, now, part, substep)
+    t.progress.final[0] = 1 if part <= substep * SHORTEST else 0
+    held = hold(t, count, resting, now, part, substep, False)
     while t.bones.sizes[5] > 0 and t.progress.final[0] == 0:
         part /= 2.0
         t.progress.final[0] = 1 if part <= substep * SHORTEST else 0
-        hold(t, count, 0, now, part, substep)
+        held = hold(t, count, held, now, part, substep, True)
     return part, held
 
 

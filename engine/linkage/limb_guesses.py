@@ -51,10 +51,10 @@ def keep_limb_impulses(t: Tables, part: float) -> None:
     for at in range(t.bones.sizes[8]):
         k = t.bones.acting[at]
         joint = limbs.joint[k]
-        add_up_limb(t, k)
         if t.trees.evenly[limbs.tree[k]] == 1:
             keep_evenly(t, k)
             continue
+        add_up_limb(t, k)
         x = limbs.sign[k] * limbs.impulse_x[k]
         y = limbs.sign[k] * limbs.impulse_y[k]
         joints.impulse_0[joint] = x

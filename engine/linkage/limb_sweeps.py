@@ -247,7 +247,9 @@ def keep_loads(t: Tables, part: float) -> None:
 
 
 def book_even(t: Tables, share: float) -> None:
-    """Book a share of what hinges did all through the part, given at mean velocities of bodies."""
+    """Book, and add to the sums of the tick, a share of what hinges did all through the part, given
+    at mean velocities of bodies.
+    """
     if t.bones.sizes[7] == 0:
         return
     bones = t.bones
@@ -258,6 +260,8 @@ def book_even(t: Tables, share: float) -> None:
         k = bones.acting[at]
         if t.trees.evenly[limbs.tree[k]] == 1:
             joint = limbs.joint[k]
+            t.joints.sum_x[joint] += share * t.joints.impulse_0[joint]
+            t.joints.sum_y[joint] += share * t.joints.impulse_1[joint]
             x = limbs.sign[k] * t.joints.impulse_0[joint]
             y = limbs.sign[k] * t.joints.impulse_1[joint]
             row = bones.body[k]

@@ -130,8 +130,6 @@ def keep_limb_ends(t: Tables, part: float, done: float, steady: bool) -> None:
             last = 0.0 if steady or done < 1.0 else 1.0
             joints.end_0[joint] = (joints.impulse_0[joint] + last * x) / part
             joints.end_1[joint] = (joints.impulse_1[joint] + last * y) / part
-            joints.sum_x[joint] -= (1.0 - done) * joints.impulse_0[joint]
-            joints.sum_y[joint] -= (1.0 - done) * joints.impulse_1[joint]
             continue
         if done < 1.0:
             x = joints.impulse_0[joint]

@@ -12,7 +12,7 @@ from engine.linkage.modes import CLOSING, coordinate_row, is_angle, scale_of
 from engine.tables import Tables
 from engine.tables.linkage import AT_HIGH, AT_LOW, FIXED
 
-LIVELIER = 0.01
+LIVELIER = 0.02
 """Share of their kinetic energy that bodies gain at most, but for what turns, and gaps that close:
 parts are so short that motion which is followed well needs less."""
 
