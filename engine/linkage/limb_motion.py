@@ -27,7 +27,7 @@ from engine.linkage.limbs import (
     stands,
 )
 from engine.linkage.modes import CLOSING
-from engine.linkage.throwing import note_bounds, throws_tree, weigh_trees
+from engine.linkage.throwing import has_lost_pivot, is_livelier, note_bounds, weigh_trees
 from engine.tables import Tables
 
 MOST_STEPS = 40
@@ -58,6 +58,9 @@ LOOSE = 1e-3
 
 FIRM = 1e-6
 """and so it is, if the part can be made shorter, if they would by more than that,"""
+
+UNTRIED = 1e300
+"""What a tree missed by before its first step."""
 
 FARTHEST = 1e100
 """No miss is larger."""
@@ -91,7 +94,6 @@ def brace_limbs(t: Tables, part: float) -> None:
     for at in range(t.bones.sizes[9]):
         forget_jolts(t, t.bones.acting[at])
     find_even(t)
-    note_bounds(t, part)
     place_even(t, part)
     for at in range(t.bones.sizes[8]):
         k = t.bones.acting[at]
@@ -102,6 +104,7 @@ def brace_limbs(t: Tables, part: float) -> None:
             expect_impulse(t, k, part)
     lend_all(t)
     if t.bones.sizes[7] > 0:  # contacts have to know; else bodies get it with what is still missing
+        note_bounds(t, part)
         deliver_starts(t)
         give_all(t)
         aim_sweeps(t, True)
@@ -160,7 +163,10 @@ def bind_limbs(t: Tables, part: float) -> float:
         found = sure
         if found:
             break
-    t.bones.sizes[5] = withdraw_lost(t, final, found)
+    far = failed > FAR * FAR
+    if far:
+        weigh_trees(t, part)
+    t.bones.sizes[5] = withdraw_lost(t, final, found, far)
     lend_all(t)
     deliver_starts(t)
     return math.sqrt(failed) / part
@@ -195,12 +201,13 @@ def expect_nothing_far(t: Tables) -> bool:
     return far
 
 
-def withdraw_lost(t: Tables, final: bool, found: bool) -> int:
+def withdraw_lost(t: Tables, final: bool, found: bool, far: bool) -> int:
     """Let limbs of trees for which no good solution was found exert nothing; return how many there
     are.
 
-    Their bodies fly on, which gains no energy; unless that is `final`, they are tried again.
-    `found`, hinges of all trees hold.
+    Their bodies fly on, which gains no energy; those that contacts hold, as sweeps left them.
+    Unless that is `final`, they are tried again. `found`, hinges of all trees hold; some began
+    `far` from that.
     """
     limbs = t.limbs
     bones = t.bones
@@ -212,17 +219,11 @@ def withdraw_lost(t: Tables, final: bool, found: bool) -> int:
         if abs(bones.spin[bone] + bones.lent_spin[bone]) * bones.lasts[bone] > MOST_TURN:
             trees.does[bones.tree[bone]] = FORWARD
             trees.worst[bones.tree[bone]] = 2.0 * FARTHEST * FARTHEST
-    for at in range(bones.sizes[8]):
-        k = bones.acting[at]
-        tree = limbs.tree[k]
-        if limbs.ease[k] == 0.0 and bones.inverse_inertia[k] > 0.0 and trees.before[tree] < 1e300:
-            trees.does[tree] = FORWARD
-            trees.worst[tree] = 2.0 * FARTHEST * FARTHEST
-    weigh_trees(t)
     for i in range(t.bones.sizes[10]):
         tree = trees.acting[i]
         failed = trees.does[tree] != DONE and not trees.worst[tree] <= loose * loose
-        if failed or throws_tree(t, tree):
+        stepped = trees.before[tree] < UNTRIED
+        if failed or (stepped and has_lost_pivot(t, tree)) or (far and is_livelier(t, tree)):
             lost += 1
             first = trees.first[tree]
             for at in range(first, first + trees.limbs[tree]):
@@ -238,7 +239,7 @@ def note_first(t: Tables) -> float:
     failed = 0.0
     for at in range(t.bones.sizes[10]):
         tree = trees.acting[at]
-        trees.before[tree] = 1e300
+        trees.before[tree] = UNTRIED
         if trees.worst[tree] > failed:
             failed = trees.worst[tree]
     return failed

@@ -1,11 +1,11 @@
 """Which solutions of joints would throw the bodies: those that make them livelier.
 
 Joints that hold do no work. What they exert at the start of a part of a tick, and take back at its
-end, changes kinetic energy in between by no more than bodies turn meanwhile: one that goes round on
-a circle, by an angle a in a part, goes along the chord, for which it needs tan^2(a/2) = a^2/4 of its
-energy more. But equations may have other solutions: links between two fixed points that are all but
-straight, or a light link between heavy ones, can be thrown to the other side, and back, within a
-part. What is thrown has its energy from nowhere.
+end, changes kinetic energy in between by no more than bodies turn meanwhile: one that goes round
+on a circle, by an angle a in a part, goes along the chord, for which it needs tan^2(a/2), nearly
+a^2/4, of its energy more. But equations may have other solutions: links between two fixed points
+that are all but straight, or a light link between heavy ones, can be thrown to the other side, and
+back, within a part. What is thrown has its energy from nowhere.
 """
 
 from engine.linkage.modes import CLOSING, coordinate_row, is_angle, scale_of
@@ -103,7 +103,9 @@ def bound(t: Tables, row: int, x: float, y: float, turn: float, part: float) -> 
 
 
 def note_bounds(t: Tables, part: float) -> None:
-    """Note for each tree what its energy in the middle of the part (s) may become by its hinges."""
+    """Note for each tree what its energy in the middle of a part (s) may become by its hinges,
+    which have not exerted anything yet.
+    """
     bones = t.bones
     bodies = t.bodies
     most = t.trees.lively
@@ -119,10 +121,14 @@ def note_bounds(t: Tables, part: float) -> None:
         most[bones.tree[bone]] += bound(t, row, x, y, turn, part)
 
 
-def weigh_trees(t: Tables) -> None:
-    """Find for each tree by how much its energy becomes larger than that (J, twice)."""
+def weigh_trees(t: Tables, part: float) -> None:
+    """Find for each tree by how much its energy in the part (s) becomes larger than that, now that
+    hinges hold (J, twice).
+    """
     bones = t.bones
     more = t.trees.lash
+    if bones.sizes[7] == 0:
+        note_bounds(t, part)
     for at in range(bones.sizes[10]):
         more[t.trees.acting[at]] = -t.trees.lively[t.trees.acting[at]]
     for at in range(bones.sizes[9]):
@@ -133,8 +139,10 @@ def weigh_trees(t: Tables) -> None:
         more[bones.tree[bone]] += energy(t, bones.body[bone], x, y, turn)
 
 
-def throws_tree(t: Tables, tree: int) -> bool:
-    """Whether hinges of a tree on which no contacts act throw it, beyond what closes gaps."""
+def is_livelier(t: Tables, tree: int) -> bool:
+    """Whether the hinges of a tree throw it, beyond what closes gaps; contacts make trees livelier
+    by themselves.
+    """
     bones = t.bones
     limbs = t.limbs
     trees = t.trees
@@ -151,3 +159,15 @@ def throws_tree(t: Tables, tree: int) -> bool:
         if square > fastest:
             fastest = square
     return trees.lash[tree] > mass * fastest
+
+
+def has_lost_pivot(t: Tables, tree: int) -> bool:
+    """Whether a pivot of a tree has changed its sign, so that it was solved as if a body could not
+    turn: bodies turn further in the part than the solution.
+    """
+    first = t.trees.first[tree]
+    for at in range(first, first + t.trees.limbs[tree]):
+        k = t.limbs.member[at]
+        if t.limbs.ease[k] == 0.0 and t.bones.inverse_inertia[k] > 0.0:
+            return True
+    return False

@@ -208,7 +208,8 @@ class Trees(NamedTuple):
     """What the next step of Newton's method does: see `linkage.limbs`."""
     lively: Floats
     """Twice the kinetic energy of its bodies (J), and the same times the squares of how fast they
-    turn (J/s^2); see `linkage.pace`."""
+    turn (J/s^2); see `linkage.pace`. Then what it may become, and by how much it becomes more (J,
+    twice); see `linkage.throwing`."""
     lash: Floats
     worst: Floats
     """The greatest miss of a hinge, in units of its tolerance, squared."""
