@@ -27,7 +27,7 @@ from engine.linkage.limbs import (
     stands,
 )
 from engine.linkage.modes import CLOSING
-from engine.linkage.throwing import has_lost_pivot, is_livelier, note_bounds, weigh_trees
+from engine.linkage.throwing import has_lost_pivot, is_livelier, note_energies, weigh_trees
 from engine.tables import Tables
 
 MOST_STEPS = 40
@@ -49,6 +49,10 @@ CHORDS = 2
 FAR = 2e-2
 """If hinges would gape by more at first, in reaches of the smaller body, the second step has a
 matrix of its own, too: with that of the first it would hardly come closer."""
+
+SURPRISED = 1e-3
+"""If no hinge would gape by more at first, in the same unit, the solution is near what was expected
+and throws nothing."""
 
 SURE = 0.1
 """Share of the tolerance that a step is expected to miss by if it is not looked at again."""
@@ -104,7 +108,7 @@ def brace_limbs(t: Tables, part: float) -> None:
             expect_impulse(t, k, part)
     lend_all(t)
     if t.bones.sizes[7] > 0:  # contacts have to know; else bodies get it with what is still missing
-        note_bounds(t, part)
+        note_energies(t, part)
         deliver_starts(t)
         give_all(t)
         aim_sweeps(t, True)
@@ -163,7 +167,7 @@ def bind_limbs(t: Tables, part: float) -> float:
         found = sure
         if found:
             break
-    far = failed > FAR * FAR
+    far = failed > SURPRISED * SURPRISED
     if far:
         weigh_trees(t, part)
     t.bones.sizes[5] = withdraw_lost(t, final, found, far)
@@ -222,8 +226,9 @@ def withdraw_lost(t: Tables, final: bool, found: bool, far: bool) -> int:
     for i in range(t.bones.sizes[10]):
         tree = trees.acting[i]
         failed = trees.does[tree] != DONE and not trees.worst[tree] <= loose * loose
-        stepped = trees.before[tree] < UNTRIED
-        if failed or (stepped and has_lost_pivot(t, tree)) or (far and is_livelier(t, tree)):
+        if far and trees.before[tree] < UNTRIED:
+            failed = failed or has_lost_pivot(t, tree) or is_livelier(t, tree)
+        if failed:
             lost += 1
             first = trees.first[tree]
             for at in range(first, first + trees.limbs[tree]):

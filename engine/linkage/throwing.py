@@ -34,7 +34,7 @@ def throws(t: Tables, part: float) -> bool:
             x = nodes.vx[node] - nodes.sum_x[node]
             y = nodes.vy[node] - nodes.sum_y[node]
             turn = nodes.spin[node] - nodes.sum_spin[node]
-            most += bound(t, row, x, y, turn, part) - energy(t, row, x, y, turn)
+            most += energy(t, row, x, y, turn) * gain(turn * part)
             if bodies.inverse_mass[row] > 0.0:
                 mass += bodies.mass[row]
                 swing += bodies.mass[row] * bodies.reach[row] * bodies.reach[row]
@@ -89,28 +89,27 @@ def way_of(t: Tables, arm: int) -> float:
 
 
 def energy(t: Tables, row: int, x: float, y: float, turn: float) -> float:
-    """Twice the kinetic energy (J) of a body with a velocity (m/s) and a spin (rad/s)."""
+    """Twice the kinetic energy of a body with a velocity (m/s) and a spin (rad/s) (J)."""
     bodies = t.bodies
     moving = bodies.mass[row] * (x * x + y * y) if bodies.inverse_mass[row] > 0.0 else 0.0
     turning = bodies.inertia[row] * turn * turn if bodies.inverse_inertia[row] > 0.0 else 0.0
     return moving + turning
 
 
-def bound(t: Tables, row: int, x: float, y: float, turn: float, part: float) -> float:
-    """The most that this may become by joints in a part (s)."""
-    angle = turn * part
-    return energy(t, row, x, y, turn) * (1.0 + LIVELIER + angle * angle / 4.0)
+def gain(angle: float) -> float:
+    """The share of its energy that joints may add to a body that turns by an angle (rad)."""
+    return LIVELIER + angle * angle / 4.0
 
 
-def note_bounds(t: Tables, part: float) -> None:
-    """Note for each tree what its energy in the middle of a part (s) may become by its hinges,
-    which have not exerted anything yet.
+def note_energies(t: Tables, part: float) -> None:
+    """Note for each tree twice the energy that it has in the middle of a part (s) if its hinges
+    exert nothing, and what they may add (J).
     """
     bones = t.bones
     bodies = t.bodies
-    most = t.trees.lively
+    trees = t.trees
     for at in range(bones.sizes[10]):
-        most[t.trees.acting[at]] = 0.0
+        trees.lively[trees.acting[at]] = 0.0
     half = part / 2.0
     for at in range(bones.sizes[9]):
         bone = bones.acting[at]
@@ -118,25 +117,25 @@ def note_bounds(t: Tables, part: float) -> None:
         x = bodies.vx[row] + bodies.ax[row] * half
         y = bodies.vy[row] + bodies.ay[row] * half
         turn = bodies.spin[row] + bodies.aspin[row] * half
-        most[bones.tree[bone]] += bound(t, row, x, y, turn, part)
+        own = bones.mass[bone] * (x * x + y * y) + bones.inertia[bone] * turn * turn
+        trees.lively[bones.tree[bone]] += own * (1.0 + gain(turn * part))
 
 
 def weigh_trees(t: Tables, part: float) -> None:
-    """Find for each tree by how much its energy in the part (s) becomes larger than that, now that
-    hinges hold (J, twice).
-    """
+    """Find for each tree by how much hinges make its energy larger than that in the part (s)."""
     bones = t.bones
-    more = t.trees.lash
-    if bones.sizes[7] == 0:
-        note_bounds(t, part)
+    trees = t.trees
+    if bones.sizes[7] == 0:  # else bodies were given already what was likely
+        note_energies(t, part)
     for at in range(bones.sizes[10]):
-        more[t.trees.acting[at]] = -t.trees.lively[t.trees.acting[at]]
+        trees.lash[trees.acting[at]] = -trees.lively[trees.acting[at]]
     for at in range(bones.sizes[9]):
         bone = bones.acting[at]
         x = bones.vx[bone] + bones.lent_x[bone]
         y = bones.vy[bone] + bones.lent_y[bone]
         turn = bones.spin[bone] + bones.lent_spin[bone]
-        more[bones.tree[bone]] += energy(t, bones.body[bone], x, y, turn)
+        own = bones.mass[bone] * (x * x + y * y) + bones.inertia[bone] * turn * turn
+        trees.lash[bones.tree[bone]] += own
 
 
 def is_livelier(t: Tables, tree: int) -> bool:
