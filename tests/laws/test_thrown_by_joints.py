@@ -1,11 +1,11 @@
 """Light links between heavy ones that swing, and bridges of them that are pulled taut: no solution
 of their equations throws them.
 
-Links hang on fixed points and gravity alone does work: energy stays as it is, but for what ends when
-they are pulled straight. Chains of three links gained 400 times what they can fall by, or diverged;
-a whip turned a light link through a whole turn in a part of a tick, for which a pivot of the
-equations had changed its sign; bridges that had opened where they were taut were thrown as hinges
-closed.
+Links hang on fixed points and gravity alone does work: energy stays as it is, but for what ends
+when they are pulled straight. Chains of three links gained 400 times what they can fall by, or
+diverged; a whip turned a light link through a whole turn in a part of a tick, for which a pivot of
+the equations had changed its sign; bridges that had opened where they were taut were thrown as
+hinges closed.
 """
 
 import math
