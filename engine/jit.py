@@ -89,6 +89,7 @@ SOURCES = (
     "kernels.parting",
     "kernels.pose",
     "kernels.resting",
+    "kernels.rousing",
     "kernels.rubbing",
     "kernels.sensing",
     "kernels.sleeping",

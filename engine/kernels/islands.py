@@ -3,7 +3,7 @@
 An island is what resting contacts and joints connect; what never moves connects nothing. While one
 is in turmoil, and needs the tick in short parts, those that are steady (see `steady`) *wait*: their
 bodies follow the paths that were found for them as the tick began, through all of these parts. As
-soon as something hits what waits, or comes to rest on it, all that waits ends what it began,
+soon as something hits an island that waits, or comes to rest on it, that island ends what it began,
 wherever it is, and takes part in the rest of the tick.
 
 A body that waits has a negative number in `Bodies.held`, so that what looks for held bodies finds
@@ -14,6 +14,7 @@ from engine.kernels.books import book_part
 from engine.kernels.contacts import correct_arms, relax
 from engine.kernels.halting import book_fixed, hand_on
 from engine.kernels.resting import place_middle
+from engine.kernels.rousing import ALL, PRESENT, ROUSED, STEADILY, pair_waits
 from engine.kernels.standing import is_built, moves, stand, take_back_new
 from engine.kernels.steady import (
     BALANCED,
@@ -35,9 +36,6 @@ from engine.linkage.acting import list_acting
 from engine.linkage.limb_impulses import forget_jolts
 from engine.linkage.limb_sweeps import book_even
 from engine.tables import RESTING, Tables
-
-PRESENT, STEADILY = 0, 1
-"""How a body waits: not at all, or as part of a steady island."""
 
 STIRRED = 0.25
 """Share of what one sweep may change of what is steady that tells who is not."""
@@ -83,7 +81,7 @@ def wait_steadily(t: Tables, count: int, resting: int, dt: float) -> tuple[int, 
     if steadiness == MOVING:
         take_back_new(t, waiting)
         waiting = 0
-        end_waiting(t, count)
+        end_waiting(t, count, STEADILY)
     left = 0
     for k in range(resting):
         if not pair_waits(t, pairs.waiting[k]):
@@ -154,11 +152,6 @@ def bear_anew(t: Tables, count: int, waiting: int, dt: float) -> bool:
     return True
 
 
-def pair_waits(t: Tables, pair: int) -> bool:
-    """Whether a body of a pair waits."""
-    return t.bodies.waits[t.pairs.a[pair]] + t.bodies.waits[t.pairs.b[pair]] > 0
-
-
 def put_off_strays(t: Tables, count: int) -> None:
     """Put off those that one sweep showed to be unsteady."""
     for row in range(count):
@@ -166,19 +159,52 @@ def put_off_strays(t: Tables, count: int) -> None:
             put_off(t, row)
 
 
-def end_waiting(t: Tables, count: int) -> None:
-    """Let all that waits take part again."""
+def end_waiting(t: Tables, count: int, waits: int) -> None:
+    """Let all that waits as said take part again."""
     bodies = t.bodies
     for row in range(count):
-        bodies.waits[row] = PRESENT
+        if bodies.waits[row] == waits:
+            bodies.waits[row] = PRESENT
         if bodies.held[row] < 0:
             bodies.held[row] = -bodies.held[row]
 
 
+def list_roused(t: Tables, count: int, waiting: int, everyone: bool) -> int:
+    """List the pairs of islands that wait and of which a body is roused, or of `everyone`, and keep
+    the others in the list of those that wait, `waiting` in number; return how many were roused.
+    """
+    bodies = t.bodies
+    pairs = t.pairs
+    for row in range(count):
+        bodies.cluster[row] = row
+        bodies.stirred[row] = 0
+    for k in range(waiting):
+        pairs.resting[k] = pairs.waiting[k]
+    connect(t, waiting)
+    for row in range(count):
+        if bodies.waits[row] == ROUSED or (everyone and bodies.waits[row] == STEADILY):
+            bodies.stirred[cluster_of(t, row)] = 1
+    for row in range(count):
+        if bodies.waits[row] == STEADILY and bodies.stirred[cluster_of(t, row)] == 1:
+            bodies.waits[row] = ROUSED
+    roused = 0
+    left = 0
+    for k in range(waiting):
+        pair = pairs.waiting[k]
+        if bodies.stirred[island_of(t, pair)] == 1:
+            pairs.resting[roused] = pair
+            roused += 1
+        else:
+            pairs.waiting[left] = pair
+            left += 1
+    return roused
+
+
 def end_steadily(
-    t: Tables, count: int, waiting: int, steadiness: int, dt: float, now: float, hit: bool
-) -> None:
-    """End what steady islands began for a tick of `dt` seconds, `now` after it began.
+    t: Tables, count: int, waiting: int, steadiness: int, dt: float, now: float, everyone: bool
+) -> int:
+    """End what steady islands that were roused, or `everyone`, began for a tick of `dt` seconds,
+    `now` after it began; return how many pairs still wait.
 
     Args:
         t: the tables.
@@ -187,12 +213,14 @@ def end_steadily(
         steadiness: how steadily; see `steady`.
         dt: length of the tick (s).
         now: how much of it has passed (s).
-        hit: whether something hit what waits.
+        everyone: whether all that waits ends that, roused or not.
     """
     share = now / dt
-    for k in range(waiting):
-        t.pairs.resting[k] = t.pairs.waiting[k]
-    turn_to(t, count, STEADILY)
+    hit = t.progress.roused[0] > 0
+    left = waiting
+    waiting = list_roused(t, count, waiting, everyone or t.progress.roused[0] == ALL)
+    left -= waiting
+    turn_to(t, count, ROUSED)
     for at in range(t.bones.sizes[9]):
         forget_jolts(t, t.bones.acting[at])
     book_part(t, waiting, count, dt, now, hit)
@@ -201,13 +229,14 @@ def end_steadily(
     if now < dt:
         hand_on(t, count, waiting, share)
         for k in range(waiting):  # what let go has been given its share
-            if t.pairs.state[t.pairs.waiting[k]] == RESTING:
-                touch(t, t.pairs.waiting[k])
-                collect(t, t.pairs.waiting[k], share - 1.0)
+            if t.pairs.state[t.pairs.resting[k]] == RESTING:
+                touch(t, t.pairs.resting[k])
+                collect(t, t.pairs.resting[k], share - 1.0)
         correct_arms(t, waiting, count, t.impacts.written[0], 0.0, dt, now)
     if steadiness != RELYING or now < dt:
         still = relax(t, waiting, count, dt, share, True)
         balanced = still and steadiness == BALANCED and now == dt
         t.state.trusted[0] = TRUSTED if balanced else 0
-    end_waiting(t, count)
+    end_waiting(t, count, ROUSED)
     turn_to(t, count, PRESENT)
+    return left

@@ -18,6 +18,7 @@ from engine.kernels.impacts import acceleration, stays, strike
 from engine.kernels.meeting import NOWHERE, approach_at, notice_passing, slides_over
 from engine.kernels.packing import clear_lane, is_packed, load_points
 from engine.kernels.parting import is_parting
+from engine.kernels.rousing import rouse
 from engine.kernels.sleeping import wake
 from engine.kernels.spring import DAMPING, PUSH, RESTLESS, frequency, softness, softness_left
 from engine.kernels.steady import let_go
@@ -76,8 +77,7 @@ def settle(t: Tables, count: int, pair_count: int, shortest: float) -> int:
             pairs.steady[pair] = 0
             pairs.points[pair] = 0
             t.progress.begins[0] = 1
-            if waits[pairs.a[pair]] + waits[pairs.b[pair]] > 0:
-                t.progress.roused[0] = 1
+            rouse(t, pair)
         if pairs.state[pair] == RESTING and waits[pairs.a[pair]] + waits[pairs.b[pair]] == 0:
             pairs.resting[resting] = pair
             resting += 1

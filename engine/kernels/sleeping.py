@@ -10,6 +10,7 @@ from engine.kernels.accelerate import act_on
 from engine.kernels.books import book_halt
 from engine.kernels.meeting import gap_at
 from engine.kernels.pose import put
+from engine.kernels.rousing import ALL
 from engine.settings import Laws
 from engine.tables import FREE, RESTING, SLEEPING, Tables
 from engine.tables.bodies import GIVEN
@@ -130,7 +131,7 @@ def wake(t: Tables, row: int) -> None:
     if bodies.asleep[row] == 0:
         return
     get_up(t, row)
-    t.progress.roused[0] = 1
+    t.progress.roused[0] = ALL  # for what waits on it, it was ground
     changed = True
     while changed:
         changed = False

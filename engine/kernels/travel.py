@@ -15,7 +15,6 @@ from engine.kernels.following import turning
 from engine.kernels.impacts import strike
 from engine.kernels.islands import (
     end_steadily,
-    pair_waits,
     wait_steadily,
 )
 from engine.kernels.meeting import (
@@ -31,6 +30,7 @@ from engine.kernels.resting import (
     hold,
     settle,
 )
+from engine.kernels.rousing import pair_waits, rouse
 from engine.kernels.sensing import sense_at_end, sense_passing
 from engine.kernels.status import CROWDED, DONE, ESCAPED
 from engine.kernels.steady import MOVING
@@ -129,9 +129,8 @@ def travel(
     while now < dt:
         t.progress.roused[0] = 0
         resting = 0 if untouched else settle(t, count, pair_count, substep)
-        if t.progress.roused[0] == 1 and steady > 0:
-            end_steadily(t, count, steady, steadiness, dt, now, True)
-            steady = 0
+        if t.progress.roused[0] > 0 and steady > 0:
+            steady = end_steadily(t, count, steady, steadiness, dt, now, False)
             resting = settle(t, count, pair_count, substep)
         if resting > 0:
             t.progress.straight[0] = 0
@@ -170,10 +169,9 @@ def travel(
         if not untouched and (held > 0 or joined > 0):
             relax(t, held, count, part, reached / part, False)
         now = dt if reached >= part and part == dt - now else now + reached
-        roused = status != DONE or t.progress.roused[0] == 1
-        if steady > 0 and (roused or now == dt):
-            end_steadily(t, count, steady, steadiness, dt, now, roused)
-            steady = 0
+        ends = status != DONE or now == dt
+        if steady > 0 and (ends or t.progress.roused[0] > 0):
+            steady = end_steadily(t, count, steady, steadiness, dt, now, ends)
         if status != DONE and now < dt:
             return status, now
     if t.progress.sensing[0] > 0:
@@ -287,8 +285,9 @@ def meet_in_order(
         a = pairs.a[pair]
         b = pairs.b[pair]
         rests = meet(t, pair, now, time, dt, substep, limit)
-        if pair_waits(t, pair) or t.progress.roused[0] == 1:
-            t.progress.roused[0] = 1
+        if pair_waits(t, pair):
+            rouse(t, pair)
+        if t.progress.roused[0] > 0:
             cut = True  # but first, what waits hands the blow on to what it rests on
         elif rests and (
             (held == 0 and time < part)

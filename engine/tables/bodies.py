@@ -72,8 +72,8 @@ class Bodies(NamedTuple):
     calm: Ints
     """For how many ticks the body has rested and been calm."""
     waits: Ints
-    """1 while a body that rests steadily goes its way alone, as others take the tick in parts; see
-    `islands`."""
+    """1 while a body that rests steadily goes its way alone, as others take the tick in parts; 2
+    once it was hit; see `rousing`."""
     cluster: Ints
     """A body that it is rigidly one with, itself if there is none; see `sticking`."""
     stuck: Ints

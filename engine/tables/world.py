@@ -143,7 +143,8 @@ class Progress(NamedTuple):
     own_rules: Ints
     """1 if coefficients of pairs are made by Python."""
     roused: Ints
-    """1 once something hit what waits, or came to rest on it; see `islands`."""
+    """1 once something hit what waits, or came to rest on it; 2 if all that waits is to end that;
+    see `rousing`."""
     begins: Ints
     """1 once a pair came to rest in the present tick; see `standing`."""
     final: Ints

@@ -56,8 +56,8 @@ def test_a_contact_that_opens_is_left_alone() -> None:
 
 
 def test_a_blow_in_one_corner_leaves_the_other_as_it_was() -> None:
-    """Two towers far apart in one world; what a ball does to one is not felt in the other, but that
-    it is borne by its springs meanwhile, which yield by a quarter of a millimetre.
+    """Two towers far apart in one world; what a ball does to one is not felt in the other: as long
+    as all that rested ended that when something was hit, its springs yielded by 0.25 mm.
     """
 
     def towers(hit: bool) -> list[tuple[float, ...]]:
@@ -73,5 +73,4 @@ def test_a_blow_in_one_corner_leaves_the_other_as_it_was() -> None:
         assert (ball.speed < 3.0) == hit
         return [(*box.position, box.angle) for box in boxes[3:]]
 
-    for here, there in zip(towers(True), towers(False), strict=True):
-        assert here == pytest.approx(there, abs=3e-4)
+    assert towers(True) == towers(False)
