@@ -78,6 +78,7 @@ SOURCES = (
     "manifolds.any_pair",
     "manifolds.hull_hull",
     "manifolds.link",
+    "manifolds.pressed",
     "manifolds.round_hull",
     "manifolds.round_round",
     "manifolds.seam",

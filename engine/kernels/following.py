@@ -10,6 +10,7 @@ b.
 from engine.kernels.pose import place_once, place_pair
 from engine.kernels.rubbing import belt_speed
 from engine.manifolds.any_pair import touching_points
+from engine.manifolds.pressed import hold_back, is_pressed_through
 from engine.tables import Tables
 
 DRIFT = 2e-3
@@ -219,6 +220,8 @@ def find_placed_points(t: Tables, pair: int) -> None:
     tangent_0 = contacts.tangent_impulse[first]
     tangent_1 = contacts.tangent_impulse[first + 1]
     points = touching_points(t, pair)
+    if points > 0 and is_pressed_through(t, pair):
+        points = hold_back(t, pair)
     pairs.points[pair] = points
     pairs.drift[pair] = 0.0
     pairs.normal_x[pair] = t.touch.normal_x[0]

@@ -13,6 +13,11 @@ REMEMBERED = 8
 than any two impacts are taken for one (`impacts.AGAIN`)."""
 
 
+CARRIED = 0.5
+"""Who moved by more since a contact was measured was put elsewhere by hand, in reaches of the
+smaller body."""
+
+
 def find_pairs(t: Tables, dt: float) -> bool:
     """List the pairs that may touch within `dt` seconds; return whether there was room for them.
 
@@ -68,6 +73,8 @@ def rearrange(t: Tables, before: int, found: int) -> None:
         elif moved_by_hand:
             pairs.apart[k] = 0.0
             mix(t, k)
+            if is_carried_off(t, k):
+                pairs.points[k] = 0
         pairs.queued[k] = 0
 
 
@@ -112,6 +119,16 @@ def is_forgotten(t: Tables, pair: int) -> bool:
     """Whether the two fly, and touched so long ago that nobody asks when."""
     touched = t.pairs.touched[pair]
     return t.pairs.state[pair] == FREE and 0 < touched < number_of_tick(t) - REMEMBERED
+
+
+def is_carried_off(t: Tables, pair: int) -> bool:
+    """Whether a hand put one of a pair elsewhere: what is known of its contact holds no longer."""
+    pairs = t.pairs
+    a = pairs.a[pair]
+    b = pairs.b[pair]
+    x = t.bodies.x[b] - t.bodies.x[a] - pairs.seen_x[pair]
+    y = t.bodies.y[b] - t.bodies.y[a] - pairs.seen_y[pair]
+    return pairs.points[pair] > 0 and abs(x) + abs(y) > CARRIED * pairs.size[pair]
 
 
 def begin(t: Tables, pair: int) -> None:
