@@ -13,8 +13,9 @@ for equations that say nothing new (a plank on two nails).
 
 from engine.tables import Tables
 
-REDUNDANT = 1e-11
-"""A pivot below this share of its diagonal entry is rounding: others already say the same."""
+REDUNDANT = 1e-8
+"""A pivot below this share of its diagonal entry is rounding, or little more: others already say
+the same, and what divides by it makes of rounding what bodies feel."""
 
 
 def assemble(t: Tables) -> None:
