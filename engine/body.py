@@ -11,6 +11,7 @@ from engine.inputs import noted, noted_only
 from engine.pair_rows import measure_anew
 from engine.settings import AS_FRICTION
 from engine.shapes import Barrier, Chain, Particle, Shape, Wall, outlines
+from engine.shapes.piece import turned
 from engine.vector import Vector, rotated
 
 if TYPE_CHECKING:
@@ -387,9 +388,7 @@ class Body:
     def to_world(self, point: Any) -> Vector:
         """Turn a point of the body's frame into one of the world (m)."""
         local = validate.vector(point, "point")
-        at = Vector(0.0, 0.0) if self.is_wall else self.position
-        turned = rotated(local, self.angle)
-        return Vector(at.x + turned.x, at.y + turned.y)
+        return turned(local, Vector(0.0, 0.0) if self.is_wall else self.position, self.angle)
 
     def to_local(self, point: Any) -> Vector:
         """Turn a point of the world into one of the body's frame (m)."""

@@ -36,9 +36,7 @@ def sweep_on(t: Tables, resting: int, count: int, part: float, calm: float, crow
     swept as a whole. Those that gain all the same are weakened.
     """
     pairs = t.pairs
-    for row in range(count):
-        t.bodies.cluster[row] = row
-    connect(t, resting)
+    connect(t, count, resting)
     for k in range(resting):
         pairs.grouped[k] = pairs.resting[k]
     gaining = list_gaining(t, resting, count, part)

@@ -104,7 +104,6 @@ def find_steady(t: Tables, count: int, resting: int, dt: float) -> int:
     bodies = t.bodies
     calm = 0
     for row in range(count):
-        bodies.cluster[row] = row
         bodies.stirred[row] = 1
         if bodies.held[row] == 0:
             bodies.calm[row] = 0
@@ -115,7 +114,7 @@ def find_steady(t: Tables, count: int, resting: int, dt: float) -> int:
     built = t.progress.begins[0] == 1 and is_built(t, resting)
     if (calm == 0 and not built) or t.braces.sizes[0] > 0:
         return 0
-    connect(t, resting)
+    connect(t, count, resting)
     if built and stand(t, count, resting, dt, False) + calm == 0:
         return 0
     for k in range(resting):
@@ -175,12 +174,11 @@ def list_roused(t: Tables, count: int, waiting: int, everyone: bool) -> int:
     """
     bodies = t.bodies
     pairs = t.pairs
-    for row in range(count):
-        bodies.cluster[row] = row
-        bodies.stirred[row] = 0
     for k in range(waiting):
         pairs.resting[k] = pairs.waiting[k]
-    connect(t, waiting)
+    connect(t, count, waiting)
+    for row in range(count):
+        bodies.stirred[row] = 0
     for row in range(count):
         if bodies.waits[row] == ROUSED or (everyone and bodies.waits[row] == STEADILY):
             bodies.stirred[cluster_of(t, row)] = 1

@@ -58,10 +58,12 @@ def cluster_of(t: Tables, row: int) -> int:
     return row
 
 
-def connect(t: Tables, resting: int) -> None:
+def connect(t: Tables, count: int, resting: int) -> None:
     """Find for each body one that stands for its island, by contacts and hinges."""
     bodies = t.bodies
     bones = t.bones
+    for row in range(count):
+        bodies.cluster[row] = row
     for k in range(resting):
         a = t.pairs.a[t.pairs.resting[k]]
         b = t.pairs.b[t.pairs.resting[k]]

@@ -7,7 +7,8 @@ longer parts than the substeps of a tick, all joints shorter ones where somethin
 
 import math
 
-from engine.tables import Bodies, Tables
+from engine.linkage.throwing import energy
+from engine.tables import Tables
 
 SWING = 0.035
 """By so much the only body of a tree turns in a part (rad); those of a tree of n bodies, as their
@@ -116,10 +117,11 @@ def paces(t: Tables) -> tuple[float, float, float, float]:
             if spin * spin > square:
                 square = spin * spin
         tree = limbs.tree[k]
-        energy = energy_of(bodies, bones.body[k])
+        row = bones.body[k]
+        own = energy(t, row, bodies.vx[row], bodies.vy[row], bodies.spin[row])
         trees.worst[tree] += square
-        trees.lively[tree] += energy
-        trees.lash[tree] += energy * square
+        trees.lively[tree] += own
+        trees.lash[tree] += own * square
         wave = wave_at(t, k, parent)
         if wave > waving:
             waving = wave
@@ -136,16 +138,6 @@ def paces(t: Tables) -> tuple[float, float, float, float]:
         if trees.lash[tree] > lashing * trees.lively[tree]:
             lashing = trees.lash[tree] / trees.lively[tree]
     return slowest, math.sqrt(lashing), fastest, 2.0 * math.sqrt(waving)
-
-
-def energy_of(bodies: Bodies, row: int) -> float:
-    """Twice the kinetic energy of a body (J)."""
-    vx = bodies.vx[row]
-    vy = bodies.vy[row]
-    energy = bodies.mass[row] * (vx * vx + vy * vy)
-    if bodies.inverse_inertia[row] > 0.0:
-        energy += bodies.inertia[row] * bodies.spin[row] * bodies.spin[row]
-    return energy
 
 
 def hanging_pace(t: Tables, k: int) -> float:

@@ -96,6 +96,11 @@ def energy(t: Tables, row: int, x: float, y: float, turn: float) -> float:
     return moving + turning
 
 
+def energy_of_bone(t: Tables, bone: int, x: float, y: float, turn: float) -> float:
+    """The same of a bone, whose mass and inertia lie beside each other."""
+    return t.bones.mass[bone] * (x * x + y * y) + t.bones.inertia[bone] * turn * turn
+
+
 def gain(angle: float) -> float:
     """The share of its energy that joints may add to a body that turns by an angle (rad)."""
     return LIVELIER + angle * angle / 4.0
@@ -117,7 +122,7 @@ def note_energies(t: Tables, part: float) -> None:
         x = bodies.vx[row] + bodies.ax[row] * half
         y = bodies.vy[row] + bodies.ay[row] * half
         turn = bodies.spin[row] + bodies.aspin[row] * half
-        own = bones.mass[bone] * (x * x + y * y) + bones.inertia[bone] * turn * turn
+        own = energy_of_bone(t, bone, x, y, turn)
         trees.lively[bones.tree[bone]] += own * (1.0 + gain(turn * part))
 
 
@@ -134,8 +139,7 @@ def weigh_trees(t: Tables, part: float) -> None:
         x = bones.vx[bone] + bones.lent_x[bone]
         y = bones.vy[bone] + bones.lent_y[bone]
         turn = bones.spin[bone] + bones.lent_spin[bone]
-        own = bones.mass[bone] * (x * x + y * y) + bones.inertia[bone] * turn * turn
-        trees.lash[bones.tree[bone]] += own
+        trees.lash[bones.tree[bone]] += energy_of_bone(t, bone, x, y, turn)
 
 
 def is_livelier(t: Tables, tree: int) -> bool:

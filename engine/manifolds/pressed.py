@@ -4,6 +4,7 @@ A wall is a line: once the centre of what overlaps it is beyond it, the shortest
 the other side. So what rests on a wall, and is pressed that deep by heavy bodies, would be lost.
 """
 
+from engine.kernels.circles import wall_of
 from engine.tables import RESTING, Tables
 
 
@@ -17,13 +18,10 @@ def is_pressed_through(t: Tables, pair: int) -> bool:
     way = t.touch.normal_x[0] * pairs.normal_x[pair] + t.touch.normal_y[0] * pairs.normal_y[pair]
     if way >= 0.0:
         return False
-    wall = pairs.piece_a[pair]
-    body = pairs.b[pair]
-    if not is_wall(t, wall):
-        wall = pairs.piece_b[pair]
-        body = pairs.a[pair]
-        if not is_wall(t, wall):
-            return False
+    wall = lone_wall(t, pair)
+    if wall < 0:
+        return False
+    body = pairs.b[pair] if wall == pairs.piece_a[pair] else pairs.a[pair]
     corners = t.corners
     first = t.pieces.first[wall]
     to_x = corners.world_x[first + 1] - corners.world_x[first]
@@ -33,12 +31,14 @@ def is_pressed_through(t: Tables, pair: int) -> bool:
     return 0.0 <= along <= to_x * to_x + to_y * to_y
 
 
-def is_wall(t: Tables, piece: int) -> bool:
-    """Whether a piece is a line, alone or in a chain, that belongs to no body with an inside."""
-    pieces = t.pieces
-    lone = pieces.seams[piece] == 0
-    still = t.bodies.inverse_mass[pieces.body[piece]] == 0.0
-    return lone and still and pieces.corners[piece] == 2 and pieces.radius[piece] == 0.0
+def lone_wall(t: Tables, pair: int) -> int:
+    """Row of the piece of a pair that is a line, alone or in a chain, and belongs to no body with
+    an inside; -1 if there is none.
+    """
+    wall = wall_of(t, pair)
+    if wall >= 0 and (t.pieces.seams[wall] == 1 or t.pieces.radius[wall] > 0.0):
+        return -1
+    return wall
 
 
 def hold_back(t: Tables, pair: int) -> int:
@@ -49,12 +49,9 @@ def hold_back(t: Tables, pair: int) -> int:
     pieces = t.pieces
     corners = t.corners
     touch = t.touch
-    wall = pairs.piece_a[pair]
-    other = pairs.piece_b[pair]
-    sign = 1.0
-    if not is_wall(t, wall):
-        wall, other = other, wall
-        sign = -1.0
+    wall = lone_wall(t, pair)
+    other = pairs.piece_a[pair] + pairs.piece_b[pair] - wall
+    sign = 1.0 if wall == pairs.piece_a[pair] else -1.0
     side = pieces.first[wall]
     x = corners.world_normal_x[side]
     y = corners.world_normal_y[side]
