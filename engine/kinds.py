@@ -36,7 +36,7 @@ def set_off(store: "Store", row: int, velocity: Vector, spin: float, substeps: i
     t.progress.straight[0] = 0
     if bodies.inverse_mass[row] > 0.0:
         return
-    from engine.kernels.resting import settling_speed  # see `store`
+    from engine.kernels.impacts import settling_speed  # see `store`
 
     store.wake_all()
     substep = (t.state.dt[0] or TICK) / substeps

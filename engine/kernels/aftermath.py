@@ -6,6 +6,7 @@ All that joints moved with the two has to be looked at too, each pair once.
 from engine.kernels.agenda import enqueue
 from engine.kernels.circles import stillness
 from engine.kernels.following import closes_faster, turning
+from engine.kernels.impacts import explained_speed
 from engine.kernels.meeting import (
     approach_of,
     fastest_within,
@@ -14,7 +15,7 @@ from engine.kernels.meeting import (
     swing_of,
 )
 from engine.kernels.pose import place_pair
-from engine.kernels.resting import OVERLAP, explained_speed
+from engine.kernels.resting import OVERLAP
 from engine.linkage.answers import changed, has_braces
 from engine.linkage.limb_impacts import tree_at
 from engine.manifolds.any_pair import touching_points
@@ -122,8 +123,12 @@ def await_corner(t: Tables, pair: int, time: float, part: float) -> None:
         if speed <= stillness(t, pair):
             return
         when += t.touch.gap[closing] / speed
-        if when <= time or when >= part:
+        if when <= time:
             return
+        if when > part:
+            when = part
+    if when >= part:
+        return
     t.pairs.meeting[pair] = when
     t.pairs.speed[pair] = speed
 

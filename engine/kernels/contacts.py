@@ -20,6 +20,7 @@ from engine.kernels.following import (
     weigh_if_racing,
 )
 from engine.kernels.gaining import only_forces_drive, sweep_on
+from engine.kernels.impacts import settling_speed
 from engine.kernels.packing import load_points, pack, pack_again, unload
 from engine.kernels.sweeps import QUIET, WILD, warm_start
 from engine.kernels.swinging import obey, swing
@@ -295,15 +296,30 @@ def is_uneven(t: Tables, resting: int) -> bool:
 
 def stiffen(t: Tables, pair: int, part: float) -> None:
     """Let no point of a contact approach further; what gapes may close within a part (s), unless
-    it bears a steady load.
+    it bears a steady load. What will bounce there is left to the part in which it lands.
     """
     contacts = t.contacts
     for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
         gap = contacts.gap[row]
         bears = t.pairs.steady[pair] == 1 and contacts.normal_load[row] > 0.0
+        bounces = not bears and t.pairs.restitution[pair] > 0.0 and falls(t, pair, row, part)
         contacts.target[row] = 2.0 * gap / part if gap > 0.0 and not bears else 0.0
-        contacts.hardness[row] = contacts.normal_mass[row]
+        contacts.hardness[row] = 0.0 if bounces else contacts.normal_mass[row]
         contacts.softness[row] = 0.0
+
+
+def falls(t: Tables, pair: int, row: int, part: float) -> bool:
+    """Whether a point that bore nothing in a part (s) closes faster than forces explain."""
+    if t.contacts.normal_impulse[row] > 0.0:
+        return False
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    closing = (bodies.kick_x[a] - bodies.kick_x[b]) * t.pairs.normal_x[pair]
+    closing += (bodies.kick_y[a] - bodies.kick_y[b]) * t.pairs.normal_y[pair]
+    closing += bodies.kick_spin[a] * t.contacts.normal_arm_a[row]
+    closing -= bodies.kick_spin[b] * t.contacts.normal_arm_b[row]
+    return closing > settling_speed(t, pair, part)
 
 
 def remember(t: Tables, pair: int) -> None:

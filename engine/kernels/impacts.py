@@ -155,6 +155,25 @@ def acceleration(bodies: Bodies, row: int) -> float:
     return math.sqrt(bodies.ax[row] * bodies.ax[row] + bodies.ay[row] * bodies.ay[row])
 
 
+def explained_speed(t: Tables, pair: int, part: float) -> float:
+    """The most that forces, directly or through other bodies, change a contact in a part (m/s)."""
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    nx = t.pairs.normal_x[pair]
+    ny = t.pairs.normal_y[pair]
+    of_a = bodies.ax[a] * nx + bodies.ay[a] * ny
+    of_b = bodies.ax[b] * nx + bodies.ay[b] * ny
+    fall = (of_a if of_a > 0.0 else -of_a) + (of_b if of_b > 0.0 else -of_b)
+    return 2.0 * (fall * part + t.pairs.carried[pair]) + stillness(t, pair)
+
+
+def settling_speed(t: Tables, pair: int, part: float) -> float:
+    """The same where other contacts may turn forces into any direction (m/s)."""
+    fall = acceleration(t.bodies, t.pairs.a[pair]) + acceleration(t.bodies, t.pairs.b[pair])
+    return 2.0 * (fall * part + t.pairs.carried[pair]) + stillness(t, pair)
+
+
 def exchange(t: Tables, pair: int, one: int, other: int, bounce: float, time: float) -> None:
     """Give both bodies their impulses, along the normal, then against the sliding; report them."""
     x = t.touch.x[one]

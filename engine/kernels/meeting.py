@@ -28,6 +28,9 @@ ZERO_GAP = 1e-10
 """Gap that counts as touching, as a share of the smaller body's reach."""
 
 
+HALVINGS = 12
+"""So often the time since two bodies touched is halved to see them apart."""
+
 MOST_LOOKS = 1024
 """So often two surfaces that stay close are looked at within a part; then its rest is cut in:"""
 
@@ -227,10 +230,15 @@ def approach_at(t: Tables, pair: int, time: float) -> float:
     """
     place_pair(t, pair, time)
     points = touching_points(t, pair)
-    lowest = t.touch.gap[0]
-    if points == 2 and t.touch.gap[1] < lowest:
-        lowest = t.touch.gap[1]
-    return fastest_within(t, pair, points, time, lowest + 1e-8 * t.pairs.size[pair])
+    within = lowest_gap(t, points) + 1e-8 * t.pairs.size[pair]
+    return fastest_within(t, pair, points, time, within)
+
+
+def lowest_gap(t: Tables, points: int) -> float:
+    """Least gap of the points in `Touch` (m)."""
+    if points == 2 and t.touch.gap[1] < t.touch.gap[0]:
+        return t.touch.gap[1]
+    return t.touch.gap[0]
 
 
 def fastest_within(t: Tables, pair: int, points: int, time: float, within: float) -> float:
@@ -256,30 +264,35 @@ def approach_of(t: Tables, pair: int, point: int, time: float) -> float:
 
 
 def search(t: Tables, pair: int, start: float, end: float, bound: float) -> None:
-    """Find the meeting of any two shapes whose surfaces move no faster than `bound` (m/s)."""
+    """Find the meeting of any two shapes whose surfaces move no faster than `bound` (m/s).
+
+    Those that overlap, as what rested does, meet where they come to overlap more.
+    """
     time = start
     gap = gap_at(t, pair, start)
     if gap > bound * (end - start):
         t.pairs.apart[pair] = gap - bound * (end - start)
         return
-    tiny = ZERO_GAP * t.pairs.size[pair]
+    level = gap if gap < 0.0 else 0.0
+    near = level + ZERO_GAP * t.pairs.size[pair]
     still = stillness(t, pair)
-    inner = t.pieces.inner[t.pairs.piece_a[pair]] + t.pieces.inner[t.pairs.piece_b[pair]]
-    piece = 0.25 * inner / bound if bound > 0.0 else end - start
-    if gap <= tiny:
+    piece = 0.25 * inner_of_smaller(t, pair) / bound if bound > 0.0 else end - start
+    if gap <= near:
         speed = approach_at(t, pair, start)
         if speed > still:
             meet(t, pair, start, speed)
             return
         time = start + flight(t, pair, -speed, piece)
-        if time >= end:
-            return
+        if time > end:
+            time = end
         gap = gap_at(t, pair, time)
-        if gap <= tiny:  # they slide or turn on each other
+        if gap <= near:  # another corner came down, or they slide or turn on each other
+            time = landing(t, pair, start, time, gap, level)
             speed = approach_at(t, pair, time)
             if speed > still:
                 meet(t, pair, time, speed)
                 return
+            gap = gap_at(t, pair, time)
     looks = 0
     while time < end:
         looks += 1
@@ -288,15 +301,47 @@ def search(t: Tables, pair: int, start: float, end: float, bound: float) -> None
         step = gap / bound if gap > piece * bound else piece
         later = time + step if time + step < end else end
         after = gap_at(t, pair, later)
-        if after <= tiny:
-            if after < 0.0 < gap:
-                later = root(t, pair, time, gap, later, after)
+        if after <= near:
+            if after < level < gap:
+                later = root(t, pair, time, gap, later, after, level)
             speed = approach_at(t, pair, later)
             if speed > still:
                 meet(t, pair, later, speed)
                 return
         time = later
         gap = after
+
+
+def inner_of_smaller(t: Tables, pair: int) -> float:
+    """Radius of a circle within the smaller piece of a pair, or within the one that has any (m)."""
+    one = t.pieces.inner[t.pairs.piece_a[pair]]
+    other = t.pieces.inner[t.pairs.piece_b[pair]]
+    if one == 0.0 or other == 0.0:
+        return one + other
+    return one if one < other else other
+
+
+def landing(t: Tables, pair: int, start: float, end: float, gap: float, level: float) -> float:
+    """When two bodies whose gap is at its `level` (m) when they `start` are there again, as a rod
+    that leaves one end and lands on the other.
+
+    That is before the `end`, where their `gap` is less, if they were seen apart in between; or as
+    soon as they approach.
+    """
+    tiny = ZERO_GAP * t.pairs.size[pair]
+    after = end
+    for _ in range(HALVINGS):
+        if gap >= level - tiny:
+            return after
+        before = start + (after - start) / 2.0
+        now = gap_at(t, pair, before)
+        if now > level + tiny:
+            return root(t, pair, before, now, after, gap, level)
+        if approach_at(t, pair, before) <= 0.0:
+            return after
+        after = before
+        gap = now
+    return after
 
 
 def flight(t: Tables, pair: int, speed: float, piece: float) -> float:
@@ -313,8 +358,14 @@ def flight(t: Tables, pair: int, speed: float, piece: float) -> float:
     return piece
 
 
-def root(t: Tables, pair: int, before: float, gap: float, after: float, overlap: float) -> float:
-    """The time at which the gap is zero, between one where it is `gap` and one of `overlap`."""
+def root(
+    t: Tables, pair: int, before: float, gap: float, after: float, overlap: float, level: float
+) -> float:
+    """The time at which the gap is at a `level`, between one where it is `gap`, which is more, and
+    one of `overlap`, which is less (m).
+    """
+    gap -= level
+    overlap -= level
     enough = 1e-15 * t.pairs.size[pair]
     kept = 0
     time = after
@@ -324,7 +375,7 @@ def root(t: Tables, pair: int, before: float, gap: float, after: float, overlap:
             time = (before + after) / 2.0
             if time <= before or time >= after:
                 return before
-        now = gap_at(t, pair, time)
+        now = gap_at(t, pair, time) - level
         if now > 0.0:
             before = time
             gap = now

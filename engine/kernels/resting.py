@@ -14,16 +14,25 @@ from engine.kernels.following import (
     has_drifted,
     turning,
 )
-from engine.kernels.impacts import acceleration, stays, strike
-from engine.kernels.meeting import NOWHERE, approach_at, notice_passing, slides_over
+from engine.kernels.impacts import settling_speed, stays, strike
+from engine.kernels.meeting import (
+    NOWHERE,
+    approach_at,
+    fastest_within,
+    lowest_gap,
+    notice_passing,
+    slides_over,
+)
 from engine.kernels.packing import clear_lane, is_packed, load_points
 from engine.kernels.parting import is_parting
+from engine.kernels.pose import place_pair
 from engine.kernels.rousing import rouse
 from engine.kernels.sleeping import wake
 from engine.kernels.spring import DAMPING, PUSH, RESTLESS, frequency, softness, softness_left
 from engine.kernels.steady import let_go
 from engine.kernels.touches import collect_last_part, leave, touch
 from engine.linkage.tally import is_joined, joints_act
+from engine.manifolds.any_pair import touching_points
 from engine.tables import FREE, IMPACTS_AT_ONCE, LATER, NEVER, RESTING, Tables
 
 TOUCHING = 1e-5
@@ -126,14 +135,16 @@ def nearly_touch(t: Tables, pair: int) -> bool:
 def comes_to_rest(t: Tables, pair: int, shortest: float) -> bool:
     """Whether a free pair that nearly touches rests from now on."""
     size = t.pairs.size[pair]
-    speed = approach_at(t, pair, 0.0)
-    if speed == NOWHERE:  # on another link of the chain: look where its points will be looked for
+    place_pair(t, pair, 0.0)
+    points = touching_points(t, pair)
+    if points == 0:  # on another link of the chain: look where its points will be looked for
         speed = approach_at(t, pair, shortest / 2.0)
         near = t.touch.gap[0] <= TOUCHING * size
         return speed != NOWHERE and near and slides_over(t, pair, speed, shortest)
-    gap = t.touch.gap[0]
+    gap = lowest_gap(t, points)
     if gap > TOUCHING * size:
         return False
+    speed = fastest_within(t, pair, points, 0.0, gap + 1e-8 * size)
     if gap < -OVERLAP * size and -size < speed <= stillness(t, pair):
         return True
     return stays(t, pair, speed if speed > 0.0 else -speed, shortest, True)
@@ -315,10 +326,11 @@ def prepare(
         lands = False
         if contacts.normal_impulse[row] == 0.0 and closing > explained:
             way = closing * part / 2.0  # gaps are those of the middle of the part
+            more = explained * part / 2.0 if pairs.restitution[pair] > 0.0 else 0.0
             if gap <= way and (joined or gap <= OVERLAP * size - way):
                 does = SLAPS
                 pairs.speed[pair] = closing
-            elif gap <= way:
+            elif gap <= way + more:
                 lands = True
                 if does == HOLDS:
                     does = LANDS
@@ -352,22 +364,3 @@ def set_spring(
     contacts.target[row] = bias if bias > fastest else fastest
     contacts.hardness[row] = contacts.normal_mass[row] * (1.0 - soft)
     contacts.softness[row] = soft
-
-
-def explained_speed(t: Tables, pair: int, part: float) -> float:
-    """The most that forces, directly or through other bodies, change a contact in a part (m/s)."""
-    bodies = t.bodies
-    a = t.pairs.a[pair]
-    b = t.pairs.b[pair]
-    nx = t.pairs.normal_x[pair]
-    ny = t.pairs.normal_y[pair]
-    of_a = bodies.ax[a] * nx + bodies.ay[a] * ny
-    of_b = bodies.ax[b] * nx + bodies.ay[b] * ny
-    fall = (of_a if of_a > 0.0 else -of_a) + (of_b if of_b > 0.0 else -of_b)
-    return 2.0 * (fall * part + t.pairs.carried[pair]) + stillness(t, pair)
-
-
-def settling_speed(t: Tables, pair: int, part: float) -> float:
-    """The same where other contacts may turn forces into any direction (m/s)."""
-    fall = acceleration(t.bodies, t.pairs.a[pair]) + acceleration(t.bodies, t.pairs.b[pair])
-    return 2.0 * (fall * part + t.pairs.carried[pair]) + stillness(t, pair)
