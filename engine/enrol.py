@@ -109,7 +109,7 @@ def write_piece(t: Tables, shape: Piece, body: int, row: int, corner: int) -> fl
     p.body[row], p.first[row], p.corners[row] = body, corner, len(points)
     p.radius[row], p.one_sided[row] = radius, int(shape.one_sided)
     p.before[row], p.after[row] = shape.before, shape.after
-    p.seams[row] = int(bool(shape.seams) and t.bodies.inverse_mass[body] == 0.0)
+    p.seams[row] = int(bool(shape.seams))
     write_seams(t.corners, shape, corner)
     p.x[row], p.y[row] = shape.center
     farthest = radius + max(distance(point, ORIGIN) for point in points)

@@ -147,7 +147,9 @@ def comes_to_rest(t: Tables, pair: int, shortest: float) -> bool:
     speed = fastest_within(t, pair, points, 0.0, gap + 1e-8 * size)
     if gap < -OVERLAP * size and -size < speed <= stillness(t, pair):
         return True
-    return stays(t, pair, speed if speed > 0.0 else -speed, shortest, True)
+    if stays(t, pair, speed if speed > 0.0 else -speed, shortest, True):
+        return True
+    return speed > 0.0 and slides_over(t, pair, speed, shortest)
 
 
 def hold(

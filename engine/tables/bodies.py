@@ -236,7 +236,7 @@ class Pieces(NamedTuple):
     after: Ints
     """The same for the second corner."""
     seams: Ints
-    """1 if other pieces of the body, which no force moves, join it; see `Corners`."""
+    """1 if other pieces of the body join it; see `Corners`."""
     low_x: Floats
     """Box in which the piece may be while the list of pairs holds (m)."""
     low_y: Floats

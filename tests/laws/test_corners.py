@@ -1,8 +1,8 @@
 """What lands on one corner, and then on another: each is an impact of its own, at its own instant.
 
 A rod that leaves the floor with one end comes down with the other a moment later, often within the
-same tick. The instants follow from rigid motion between impulses of eq. (40) of the thesis; energies
-from the law of restitution.
+same tick. The instants follow from rigid motion between impulses of eq. (40) of the thesis,
+energies from the law of restitution.
 """
 
 import math
@@ -63,9 +63,7 @@ def test_the_other_end_lands_when_rigid_motion_says(angle: float, speed: float) 
     mass, width, height = 3.0, 0.8, 0.1
     world = World()
     world.add(Wall((-9, 0), (9, 0)))
-    box = world.add(
-        Box(width, height), mass=mass, angle=angle, velocity=(0, -speed), restitution=1
-    )
+    box = world.add(Box(width, height), mass=mass, angle=angle, velocity=(0, -speed), restitution=1)
     box.position = (0.0, speed / 97.0 - lowest(box))  # it lands after 1/97 s
     side = -math.copysign(1.0, angle)
 

@@ -1,11 +1,11 @@
-"""Ground made of pieces: outside it is as smooth as one piece, and as solid."""
+"""Bodies made of pieces: outside they are as smooth as one piece, and as solid."""
 
 import math
 import random
 
 import pytest
 
-from engine import Body, Box, Capsule, Circle, Compound, Polygon, Shape, World
+from engine import Body, Box, Capsule, Circle, Compound, Polygon, Shape, Wall, World
 
 SLIDERS: list[Shape] = [
     Box(1.0, 0.5),
@@ -55,6 +55,56 @@ def test_a_body_slides_over_seams_without_a_hitch(floor: Shape, shape: Shape) ->
         assert body.vx == pytest.approx(4.0, abs=1e-9)
         assert body.y == pytest.approx(rests, abs=1e-4)
         assert body.angle == pytest.approx(0.0, abs=1e-4)
+
+
+@pytest.mark.parametrize("floor", [ROW, Box(16, 1)])
+def test_bodies_made_of_pieces_slide_too(floor: Shape) -> None:
+    """The same where the one on top has seams, or both have."""
+    world, body = on(floor, Compound([(Box(0.5, 0.2), (0.5 * i, 0)) for i in range(4)]))
+    body.position = (1.2, 0.1)
+    while body.x < 14.5:
+        assert world.step() == []
+        assert body.vx == pytest.approx(4.0, abs=1e-5)
+        assert body.angle == pytest.approx(0.0, abs=1e-4)
+
+
+CART = Compound(
+    [(Box(0.5, 0.2), (0.5 * i - 3.75, 0.0)) for i in range(16)]
+    + [(Box(0.2, 1.0), (-4.1, 0.4)), (Box(0.2, 1.0), (4.1, 0.4))]
+)
+"""Sixteen planks and two walls, on no wheels at all."""
+
+
+def loaded(shape: Shape, mass: float, friction: float) -> tuple[World, Body, Body]:
+    """A cart of so much mass on a smooth road, and a load of 1 kg that slides along it at 3 m/s."""
+    world = World(gravity=(0, -9.81))
+    world.add(Wall((-30, 0), (30, 0)), friction=0.0)
+    cart = world.add(CART, mass=mass, friction=friction)
+    cart.position = (0.0, -min(y for line in cart.outlines for _, y in line))
+    load = world.add(shape, mass=1.0, friction=friction, rolling_resistance=friction)
+    load.position = (-3.2, 0.2 + height_of(shape))
+    load.velocity = (3, 0)
+    return world, cart, load
+
+
+@pytest.mark.parametrize("shape", SLIDERS)
+def test_a_load_slides_along_its_cart_and_neither_notices_the_planks(shape: Shape) -> None:
+    """Newton's first law on a smooth cart: both keep their speeds from wall to wall."""
+    world, cart, load = loaded(shape, 50.0, 0.0)
+    while load.x < 3.2:
+        assert world.step() == []
+        assert load.vx == pytest.approx(3.0, abs=1e-4)
+        assert cart.vx == pytest.approx(0.0, abs=1e-5)
+        assert load.angle == pytest.approx(0.0, abs=1e-3)
+
+
+@pytest.mark.parametrize("shape", SLIDERS)
+def test_a_load_and_its_rough_cart_end_with_one_velocity(shape: Shape) -> None:
+    """Momentum: m v / (m + M), once friction has stopped the sliding and the rolling."""
+    world, cart, load = loaded(shape, 5.0, 0.4)
+    world.run(240)
+    assert load.vx == pytest.approx(0.5, abs=1e-3)
+    assert cart.vx == pytest.approx(0.5, abs=1e-3)
 
 
 @pytest.mark.parametrize("floor", [ROW, COMB])
