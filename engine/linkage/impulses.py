@@ -17,7 +17,10 @@ def lend(t: Tables, row: int, impulse: float) -> None:
 
 
 def take(t: Tables, share: float, spent: bool, bounded: bool) -> bool:
-    """Add the solution to the impulses, within their bounds; return whether a mode changed.
+    """Add the solution to the impulses; return whether a mode changed instead.
+
+    Where coordinates would go beyond their bounds, only those go, as far as the bounds, and are no
+    equations any more: a solution that had them pull says nothing about the others.
 
     Args:
         t: the tables.
@@ -25,32 +28,43 @@ def take(t: Tables, share: float, spent: bool, bounded: bool) -> bool:
         spent: whether it has given part of that already, at the start of the part.
         bounded: whether to heed the bounds.
     """
+    if bounded and let_go(t, share, spent):
+        return True
+    for row in range(t.braces.sizes[2]):
+        add(t, row, t.equations.unknown[row])
+    return False
+
+
+def let_go(t: Tables, share: float, spent: bool) -> bool:
+    """Bring the impulses that the solution would put beyond their bounds there; see `take`."""
     equations = t.equations
     joints = t.joints
     changed = False
     for brace in range(t.braces.sizes[0]):
-        coordinate = coordinate_row(t, brace)
-        first = t.braces.first[brace]
-        for row in range(first, first + t.braces.rows[brace]):
-            change = equations.unknown[row]
-            if bounded and row == coordinate and equations.solved[row] == 1:
-                joint = t.braces.joint[brace]
-                least, most = bounds(t, joint, joints.effort[joint] * share * joints.part[joint])
-                if spent and joints.motor[joint] == 1:
-                    given = noted_impulse(t, joint, row - first)
-                    least -= given
-                    most -= given
-                after = equations.impulse[row] + change
-                if after < least or after > most:
-                    after = least if after < least else most
-                    change = after - equations.impulse[row]
-                    joints.mode[joint] = overstrained(t, joint)
-                    changed = True
-            equations.change[row] = change
-            equations.total[row] += change
-            equations.impulse[row] += change
-            lend(t, row, change)
+        row = coordinate_row(t, brace)
+        if row >= 0 and equations.solved[row] == 1:
+            joint = t.braces.joint[brace]
+            least, most = bounds(t, joint, joints.effort[joint] * share * joints.part[joint])
+            if spent and joints.motor[joint] == 1:
+                given = noted_impulse(t, joint, row - t.braces.first[brace])
+                least -= given
+                most -= given
+            after = equations.impulse[row] + equations.unknown[row]
+            if after < least or after > most:
+                bound = least if after < least else most
+                add(t, row, bound - equations.impulse[row])
+                joints.mode[joint] = overstrained(t, joint)
+                changed = True
     return changed
+
+
+def add(t: Tables, row: int, change: float) -> None:
+    """Add to the impulse of a row."""
+    equations = t.equations
+    equations.change[row] = change
+    equations.total[row] += change
+    equations.impulse[row] += change
+    lend(t, row, change)
 
 
 def note_impulses(t: Tables) -> None:
