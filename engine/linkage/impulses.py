@@ -1,6 +1,6 @@
 """How impulses of joints get to the bodies and back: nodes hold what the joints change."""
 
-from engine.linkage.modes import bounds, coordinate_row, overstrained
+from engine.linkage.modes import bounds, coordinate_row, is_put_back, overstrained
 from engine.tables import Tables
 from engine.tables.linkage import STRAINED
 
@@ -45,7 +45,7 @@ def let_go(t: Tables, share: float, spent: bool) -> bool:
         if row >= 0 and equations.solved[row] == 1:
             joint = t.braces.joint[brace]
             least, most = bounds(t, joint, joints.effort[joint] * share * joints.part[joint])
-            if spent and joints.motor[joint] == 1:
+            if spent and (joints.motor[joint] == 1 or is_put_back(t, joint, row)):
                 given = noted_impulse(t, joint, row - t.braces.first[brace])
                 least -= given
                 most -= given

@@ -14,8 +14,17 @@ TIGHT = 1e-9
 
 CLOSING = 2.0
 """Joints that gape, as they were torn apart by hand or found no solution, close no faster, in
-reaches of the smaller body a second (1/s; angles: rad/s): that would throw the bodies. Coordinates,
-which winches and servos change, are no gaps."""
+reaches of the smaller body a second (1/s; angles: rad/s): that would throw the bodies. So do
+coordinates that went astray; what winches, servos and hands change is done at once."""
+
+SATISFIED = 1e-8
+"""A coordinate is beyond its limit if it is by more, in sizes of the joint or rad."""
+
+MOST_TURN = 0.75
+"""An angle that hands changed changes by so much in a part (rad)."""
+
+FARTHEST = 1e300
+"""No length is larger."""
 
 
 def coordinate_row(t: Tables, brace: int) -> int:
@@ -61,9 +70,10 @@ def next_mode(t: Tables, joint: int, row: int, part: float, slack: float) -> int
     if mode != FREE_WAY and mode != DRIVEN and mode != STRAINED:
         return mode
     value = t.equations.value[row]
-    if value > joints.high[joint] + slack:
+    left = left_beyond(t, joint, row, part)
+    if value > joints.high[joint] + (left if left > 0.0 else 0.0) + slack:
         return AT_HIGH
-    if value < joints.low[joint] - slack:
+    if value < joints.low[joint] + (left if left < 0.0 else 0.0) - slack:
         return AT_LOW
     if mode == STRAINED:
         ahead = value - t.equations.start[row] - joints.speed[joint] * part
@@ -73,23 +83,42 @@ def next_mode(t: Tables, joint: int, row: int, part: float, slack: float) -> int
     return mode
 
 
-def miss_of_mode(t: Tables, joint: int, row: int, part: float, most: float) -> float:
-    """By how much the coordinate misses its goal at the end of the part (m or rad).
-
-    What was beyond its limit when the part began comes closer by `most` in the part.
-    """
+def miss_of_mode(t: Tables, joint: int, row: int, part: float) -> float:
+    """By how much the coordinate misses its goal at the end of the part (m or rad)."""
     joints = t.joints
     mode = joints.mode[joint]
     value = t.equations.value[row]
-    start = t.equations.start[row]
     if mode == DRIVEN:
-        return value - start - joints.speed[joint] * part
+        return value - t.equations.start[row] - joints.speed[joint] * part
+    left = left_beyond(t, joint, row, part)
     if mode == AT_HIGH:
-        high = joints.high[joint]
-        return value - high - (left_over(start - high, most) if start > high else 0.0)
-    low = joints.low[joint]
-    beyond = start < low or mode == FIXED
-    return value - low - (left_over(start - low, most) if beyond else 0.0)
+        return value - joints.high[joint] - (left if left > 0.0 else 0.0)
+    return value - joints.low[joint] - (left if left < 0.0 or mode == FIXED else 0.0)
+
+
+def beyond(t: Tables, joint: int, value: float) -> float:
+    """How far beyond its limits a coordinate is (m or rad), negative below the low one."""
+    if value > t.joints.high[joint]:
+        return value - t.joints.high[joint]
+    return value - t.joints.low[joint] if value < t.joints.low[joint] else 0.0
+
+
+def by_hand(t: Tables, joint: int, row: int) -> float:
+    """How far beyond its limits hands, winches and servos put a coordinate when the part began:
+    what did not go astray.
+    """
+    return beyond(t, joint, t.equations.start[row]) - t.joints.astray[joint]
+
+
+def left_beyond(t: Tables, joint: int, row: int, part: float) -> float:
+    """How far beyond its limits a coordinate may still be at the end of a part (s)."""
+    most = CLOSING * scale_of(t, row, joint) * part
+    return left_by_hand(t, joint, row) + left_over(t.joints.astray[joint], most)
+
+
+def left_by_hand(t: Tables, joint: int, row: int) -> float:
+    """What is left then of what hands did."""
+    return left_over(by_hand(t, joint, row), MOST_TURN if is_angle(t, row) else FARTHEST)
 
 
 def left_over(gap: float, most: float) -> float:
@@ -97,6 +126,37 @@ def left_over(gap: float, most: float) -> float:
     if gap > most:
         return gap - most
     return gap + most if gap < -most else 0.0
+
+
+def note_start(t: Tables, joint: int, row: int) -> None:
+    """Note how much of what is beyond the limits as a part begins went astray in the part before.
+
+    Hands may have brought it back meanwhile.
+    """
+    past = beyond(t, joint, t.equations.start[row])
+    t.joints.astray[joint] = within(t.joints.astray[joint], past)
+
+
+def note_end(t: Tables, joint: int, row: int, found: bool) -> None:
+    """Note by how much the coordinate went astray in a part, for which a solution was found or not:
+    what is beyond the limits, unless hands put it there.
+    """
+    hand = left_by_hand(t, joint, row) if found else by_hand(t, joint, row)
+    past = beyond(t, joint, t.equations.value[row])
+    t.joints.astray[joint] = within(past - hand, past)
+
+
+def within(part: float, whole: float) -> float:
+    """What of a part lies between nothing and the whole."""
+    if whole > 0.0:
+        return 0.0 if part < 0.0 else part if part < whole else whole
+    return 0.0 if part > 0.0 else part if part > whole else whole
+
+
+def is_put_back(t: Tables, joint: int, row: int) -> bool:
+    """Whether a coordinate was beyond its limits as the part began."""
+    past = beyond(t, joint, t.equations.start[row])
+    return abs(past) > SATISFIED * scale_of(t, row, joint)
 
 
 def bounds(t: Tables, joint: int, effort: float) -> tuple[float, float]:

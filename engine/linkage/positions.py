@@ -15,14 +15,15 @@ from engine.linkage.limb_guesses import keep_limb_impulses
 from engine.linkage.limb_motion import brace_limbs
 from engine.linkage.modes import (
     CLOSING,
+    FARTHEST,
     TIGHT,
     bounds,
     coordinate_row,
     first_mode,
-    is_angle,
     left_over,
     miss_of_mode,
     next_mode,
+    note_start,
     scale_of,
 )
 from engine.linkage.skyline import assemble, factorise, solve
@@ -42,9 +43,6 @@ FAILED = 1e-8
 
 MOST_TURN = 1.5
 """A solution that turns a body by more in a part, beyond its own spin, is none (rad)."""
-
-FARTHEST = 1e300
-"""No miss is larger."""
 
 MOST_CHANGES = 12
 """How often limits and motors may change their minds in a part. A limit begins, and a strained
@@ -73,7 +71,41 @@ def brace(t: Tables, part: float) -> None:
     t.braces.sizes[7] = 0
     for row in range(t.braces.sizes[2]):
         lend(t, row, t.equations.impulse[row])
+    if leads_astray(t, part):
+        forget(t)
     deliver(t)
+
+
+def leads_astray(t: Tables, part: float) -> bool:
+    """Whether what joints begin a part (s) with would by itself move a joint further than a stride.
+
+    Impulses that were in balance, as equations nearly said the same, are so no more where bodies
+    have turned: contacts would feel them before the joints have found others.
+    """
+    nodes = t.nodes
+    arms = t.arms
+    for brace in range(t.braces.sizes[0]):
+        first = t.braces.first[brace]
+        for row in range(first, first + t.braces.rows[brace]):
+            way = 0.0
+            for arm in range(2 * row, 2 * row + 2):
+                node = arms.node[arm]
+                way += arms.x[arm] * nodes.lent_x[node] + arms.y[arm] * nodes.lent_y[node]
+                way += arms.turn[arm] * nodes.lent_spin[node]
+            if abs(way) * part > STRIDE * scale_of(t, row, t.braces.joint[brace]):
+                return True
+    return False
+
+
+def forget(t: Tables) -> None:
+    """Begin with nothing."""
+    nodes = t.nodes
+    for row in range(t.braces.sizes[2]):
+        t.equations.impulse[row] = 0.0
+    for node in range(1, t.braces.sizes[1]):
+        nodes.lent_x[node] = 0.0
+        nodes.lent_y[node] = 0.0
+        nodes.lent_spin[node] = 0.0
 
 
 def bind(t: Tables, part: float) -> float:
@@ -292,6 +324,7 @@ def warm_start(t: Tables, part: float) -> None:
             equations.soft[row] = 0.0
         row = coordinate_row(t, brace)
         if row >= 0:
+            note_start(t, joint, row)
             joints.mode[joint] = first_mode(t, joint)
             least, most = bounds(t, joint, joints.effort[joint] * part / 2.0)
             if joints.mode[joint] == FREE_WAY:
@@ -343,8 +376,7 @@ def find_misses(t: Tables, part: float) -> float:
                 most = CLOSING * scale_of(t, row, joint) * part
                 missed -= left_over(equations.start[row], most)
             elif t.joints.mode[joint] != ELASTIC:
-                most = MOST_TURN / 2.0 if is_angle(t, row) else FARTHEST
-                missed = miss_of_mode(t, joint, row, part, most)
+                missed = miss_of_mode(t, joint, row, part)
             elif equations.solved[row] == 1:
                 missed = miss(t, row, part)
             if equations.solved[row] == 0:

@@ -8,17 +8,20 @@ that are all but straight, or a light link between heavy ones, can be thrown to 
 back, within a part. What is thrown has its energy from nowhere.
 """
 
-from engine.linkage.modes import CLOSING, coordinate_row, is_angle, scale_of
+from engine.linkage.modes import (
+    CLOSING,
+    SATISFIED,
+    by_hand,
+    coordinate_row,
+    is_angle,
+    scale_of,
+)
 from engine.tables import Tables
 from engine.tables.linkage import AT_HIGH, AT_LOW, FIXED
 
 LIVELIER = 0.02
 """Share of their kinetic energy that bodies gain at most, but for what turns, and gaps that close:
 parts are so short that motion which is followed well needs less."""
-
-SATISFIED = 1e-8
-"""A coordinate that is further from where it is held, as hands changed that, is driven there, in
-sizes of the joint or rad."""
 
 
 def throws(t: Tables, part: float) -> bool:
@@ -51,29 +54,23 @@ def throws(t: Tables, part: float) -> bool:
                 most += LIVELIER * abs(done)
                 continue
             work += done
-            if row != coordinate:
-                scale = scale_of(t, row, joint)
-                rate = abs(t.equations.start[row]) / part
-                rate = rate if rate < CLOSING * scale else CLOSING * scale
-                if is_angle(t, row):
-                    turning = rate if rate > turning else turning
-                else:
-                    closing = rate if rate > closing else closing
+            scale = scale_of(t, row, joint)
+            gap = t.joints.astray[joint] if row == coordinate else t.equations.start[row]
+            rate = abs(gap) / part
+            rate = rate if rate < CLOSING * scale else CLOSING * scale
+            if is_angle(t, row):
+                turning = rate if rate > turning else turning
+            else:
+                closing = rate if rate > closing else closing
     return work > most + mass * closing * closing + swing * turning * turning
 
 
 def drives(t: Tables, joint: int, row: int) -> bool:
-    """Whether a coordinate does work: as a spring or a motor, or as hands changed where it is held,
-    or put it beyond its limit.
-    """
+    """Whether a coordinate does work: as a spring or a motor, or as hands put it beyond a limit."""
     mode = t.joints.mode[joint]
-    start = t.equations.start[row]
-    slack = SATISFIED * scale_of(t, row, joint)
-    if mode == AT_HIGH:
-        return start > t.joints.high[joint] + slack
-    if mode == AT_LOW:
-        return start < t.joints.low[joint] - slack
-    return mode != FIXED or abs(start - t.joints.low[joint]) > slack
+    if mode != FIXED and mode != AT_HIGH and mode != AT_LOW:
+        return True
+    return abs(by_hand(t, joint, row)) > SATISFIED * scale_of(t, row, joint)
 
 
 def way_of(t: Tables, arm: int) -> float:

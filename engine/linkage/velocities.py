@@ -1,9 +1,9 @@
 """Joints at the end of each part: the impulses for which velocities obey the constraints."""
 
-from engine.linkage.geometry import aim, place_nodes
+from engine.linkage.geometry import aim, measure, place_nodes
 from engine.linkage.impulses import add_up, lend, noted_impulse, solve_for, take
 from engine.linkage.limb_velocities import keep_limb_ends, prepare_limbs
-from engine.linkage.modes import coordinate_row
+from engine.linkage.modes import coordinate_row, note_end
 from engine.linkage.skyline import assemble, factorise, solve
 from engine.tables import Tables
 from engine.tables.linkage import DRIVEN, ELASTIC, STRAINED
@@ -20,10 +20,14 @@ def prepare_ease(t: Tables, part: float, done: float) -> None:
     joints = t.joints
     gather_ends(t)
     place_nodes(t, 0.0)
+    measure(t)
     begin_instant(t)
+    found = t.braces.sizes[7] == 0
     for brace in range(t.braces.sizes[0]):
         joint = t.braces.joint[brace]
         joints.part[joint] = part * done
+        if coordinate_row(t, brace) >= 0:
+            note_end(t, joint, coordinate_row(t, brace), found)
         if joints.mode[joint] == ELASTIC:
             row = coordinate_row(t, brace)
             given = noted_impulse(t, joint, row - t.braces.first[brace])

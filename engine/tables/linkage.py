@@ -47,6 +47,9 @@ class Joints(NamedTuple):
     """1 if a motor drives the coordinate."""
     speed: Floats
     """Of the motor (m/s or rad/s)."""
+    astray: Floats
+    """How far beyond its limits the coordinate is because a part of a tick had no solution (m or
+    rad), negative below the low one: it comes back slowly."""
     effort: Floats
     """The most that the motor can do (N or N m)."""
     stiffness: Floats
