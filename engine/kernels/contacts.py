@@ -151,7 +151,7 @@ def press(t: Tables, resting: int, part: float, most: int, gives_up: bool) -> bo
         bound = t.braces.sizes[7] == 0
         found = sweep_all(t, resting, CALM, swept % 2 == 0)
         failed = bind(t, part)
-        if bound and t.braces.sizes[7] == 1:
+        if bound and t.braces.sizes[7] > 0:
             swept = 0
         elif has_settled(found, gives_up and swept == WILD_SWEEPS) and (
             resting == 0 or failed <= CALM

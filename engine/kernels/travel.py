@@ -42,6 +42,7 @@ from engine.linkage.pace import (
     SHORTEST,
     part_for_joints,
 )
+from engine.linkage.positions import retract
 from engine.linkage.tally import (
     clear_sums,
     is_joined,
@@ -237,6 +238,7 @@ def plan(
     held = hold(t, count, resting, now, part, substep, False)
     while t.bones.sizes[5] > 0 and t.progress.final[0] == 0:
         part /= 2.0
+        retract(t)
         t.progress.final[0] = 1 if part <= substep * SHORTEST else 0
         held = hold(t, count, held, now, part, substep, True)
     return part, held

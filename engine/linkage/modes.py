@@ -27,6 +27,11 @@ FARTHEST = 1e300
 """No length is larger."""
 
 
+CLOSES, HOLDS = 1, 2
+"""What joints do in a part for which no solution was found (0 if one was): they hold to first
+order, and may close gaps or not."""
+
+
 def coordinate_row(t: Tables, brace: int) -> int:
     """The row of a joint's coordinate; -1 if it is free and has none."""
     shape = t.braces.shape[brace]
@@ -112,6 +117,8 @@ def by_hand(t: Tables, joint: int, row: int) -> float:
 
 def left_beyond(t: Tables, joint: int, row: int, part: float) -> float:
     """How far beyond its limits a coordinate may still be at the end of a part (s)."""
+    if t.braces.sizes[7] == HOLDS:
+        return beyond(t, joint, t.equations.start[row])
     most = CLOSING * scale_of(t, row, joint) * part
     return left_by_hand(t, joint, row) + left_over(t.joints.astray[joint], most)
 
@@ -119,6 +126,14 @@ def left_beyond(t: Tables, joint: int, row: int, part: float) -> float:
 def left_by_hand(t: Tables, joint: int, row: int) -> float:
     """What is left then of what hands did."""
     return left_over(by_hand(t, joint, row), MOST_TURN if is_angle(t, row) else FARTHEST)
+
+
+def left_gaping(t: Tables, row: int, joint: int, part: float) -> float:
+    """What is left at the end of a part (s) of a gap of what is no coordinate (m or rad)."""
+    gap = t.equations.start[row]
+    if t.braces.sizes[7] == HOLDS:
+        return gap
+    return left_over(gap, CLOSING * scale_of(t, row, joint) * part)
 
 
 def left_over(gap: float, most: float) -> float:

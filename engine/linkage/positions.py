@@ -10,17 +10,18 @@ does not drift. The equations are solved by Newton's method with the matrix of t
 
 from engine.linkage.geometry import aim, measure, place_nodes
 from engine.linkage.impulses import add_up, lend, note_impulses, solve_for, take
-from engine.linkage.jolts import jolt_start
+from engine.linkage.jolts import jolt, jolt_start
 from engine.linkage.limb_guesses import keep_limb_impulses
 from engine.linkage.limb_motion import brace_limbs
 from engine.linkage.modes import (
-    CLOSING,
+    CLOSES,
     FARTHEST,
+    HOLDS,
     TIGHT,
     bounds,
     coordinate_row,
     first_mode,
-    left_over,
+    left_gaping,
     miss_of_mode,
     next_mode,
     note_start,
@@ -29,6 +30,7 @@ from engine.linkage.modes import (
 from engine.linkage.skyline import assemble, factorise, solve
 from engine.linkage.springs import miss, tune
 from engine.linkage.throwing import throws
+from engine.linkage.velocities import rate_of
 from engine.tables import Tables
 from engine.tables.linkage import ELASTIC, FREE_WAY
 
@@ -114,11 +116,15 @@ def bind(t: Tables, part: float) -> float:
 
     That speed is in reaches of the smaller body a second (1/s).
     """
-    if t.braces.sizes[0] == 0 or t.braces.sizes[7] == 1:
+    if t.braces.sizes[0] == 0:
         return 0.0
     gather_means(t)
     for row in range(t.braces.sizes[2]):
         t.equations.total[row] = 0.0
+    if t.braces.sizes[7] > 0:
+        failed = seek_straight(t, part)
+        deliver(t)
+        return failed
     failed, found = seek(t, part, STRIDE)
     if failed * part > STRIDE:
         choose_start(t, part, failed * part)
@@ -128,10 +134,45 @@ def bind(t: Tables, part: float) -> float:
         renew(t, part)
         _, found = seek(t, part, FARTHEST)
     if not found:
-        take_back(t)
-        t.braces.sizes[7] = 1
+        for way in (CLOSES, HOLDS):
+            take_back(t)
+            t.braces.sizes[7] = way
+            renew(t, part)
+            seek_straight(t, part)
+            if not throws(t, part):
+                break
     deliver(t)
     return failed
+
+
+def seek_straight(t: Tables, part: float) -> float:
+    """Look for the impulses for which the constraints hold to first order: as if their Jacobians
+    were those of the start all through the part. Return how fast they failed that before (1/s).
+
+    Mean velocities are projected on those that obey, which takes energy, but for what closes gaps:
+    where joints contradict each other, none closes.
+    """
+    failed = 0.0
+    for step in range(MOST_CHANGES):
+        predict(t, part)
+        worst = find_misses(t, part)
+        if choose_modes(t, part):
+            renew(t, part)
+            worst = find_misses(t, part)
+        if step == 0:
+            failed = worst / part
+        solve(t)
+        if not take(t, 0.5, False, True):
+            break
+        renew(t, part)
+    return failed
+
+
+def predict(t: Tables, part: float) -> None:
+    """Set the values of all rows at the end of a part (s) to first order."""
+    for row in range(t.braces.sizes[2]):
+        rate = rate_of(t, 2 * row) + rate_of(t, 2 * row + 1)
+        t.equations.value[row] = t.equations.start[row] + rate * part
 
 
 def choose_start(t: Tables, part: float, worst: float) -> None:
@@ -204,11 +245,10 @@ def turns_over(t: Tables, part: float) -> bool:
 
 
 def take_back(t: Tables) -> None:
-    """Take back all that was lent, as it led nowhere: bodies fly on, which gains no energy.
+    """Take back all that was lent, as it led nowhere.
 
     So it is where links are pulled straight between two fixed points, and something pushes them
-    aside: no impulse keeps them as long as they are. At the end of the part their velocities obey;
-    until then contacts find no hold in joints.
+    aside: no impulse keeps them as long as they are.
     """
     equations = t.equations
     nodes = t.nodes
@@ -237,6 +277,18 @@ def step_back(t: Tables) -> None:
         equations.impulse[row] -= half
         equations.total[row] -= half
         lend(t, row, -half)
+
+
+def retract(t: Tables) -> None:
+    """Take back what joints exerted at the start of a part that is not taken."""
+    nodes = t.nodes
+    for node in range(1, t.braces.sizes[1]):
+        x = nodes.sum_x[node]
+        y = nodes.sum_y[node]
+        jolt(t, nodes.body[node], -x, -y, -nodes.sum_spin[node])
+    for row in range(t.braces.sizes[2]):
+        t.equations.impulse[row] = -t.equations.impulse[row]
+    add_up(t)
 
 
 def keep_impulses(t: Tables, part: float) -> None:
@@ -373,8 +425,7 @@ def find_misses(t: Tables, part: float) -> float:
         for row in range(first, first + t.braces.rows[brace]):
             missed = equations.value[row]
             if row != coordinate:
-                most = CLOSING * scale_of(t, row, joint) * part
-                missed -= left_over(equations.start[row], most)
+                missed -= left_gaping(t, row, joint, part)
             elif t.joints.mode[joint] != ELASTIC:
                 missed = miss_of_mode(t, joint, row, part)
             elif equations.solved[row] == 1:
