@@ -65,10 +65,10 @@ def answer_of_braces(t: Tables, a: int, b: int, change: Changes) -> Changes:
         still(t, node)
     node_a = note_change(t, a, change[0], change[1], change[2])
     node_b = note_change(t, b, change[3], change[4], change[5])
-    for _ in range(MOST_CHANGES):
+    for step in range(MOST_CHANGES):
         find_rates(t, False)
         solve(t)
-        if not take(t, 0.0, False, True):
+        if not take(t, 0.0, False, step < MOST_CHANGES - 1):
             break
         renew(t)
     nodes = t.nodes

@@ -96,6 +96,9 @@ def miss_of_mode(t: Tables, joint: int, row: int, part: float) -> float:
     if mode == DRIVEN:
         return value - t.equations.start[row] - joints.speed[joint] * part
     left = left_beyond(t, joint, row, part)
+    if t.braces.sizes[7] > 0:  # what comes to its limit stops at once
+        start = t.equations.start[row]
+        return value - start + beyond(t, joint, start) - left
     if mode == AT_HIGH:
         return value - joints.high[joint] - (left if left > 0.0 else 0.0)
     return value - joints.low[joint] - (left if left < 0.0 or mode == FIXED else 0.0)

@@ -154,15 +154,16 @@ def seek_straight(t: Tables, part: float) -> float:
     """
     failed = 0.0
     for step in range(MOST_CHANGES):
+        last = step == MOST_CHANGES - 1
         predict(t, part)
         worst = find_misses(t, part)
-        if choose_modes(t, part):
+        if not last and choose_modes(t, part):
             renew(t, part)
             worst = find_misses(t, part)
         if step == 0:
             failed = worst / part
         solve(t)
-        if not take(t, 0.5, False, True):
+        if not take(t, 0.5, False, not last):
             break
         renew(t, part)
     return failed

@@ -53,7 +53,7 @@ def ease(t: Tables) -> float:
         if step == 0:
             failed = worst
         solve(t)
-        if not take(t, 1.0, True, True):
+        if not take(t, 1.0, True, step < MOST_CHANGES - 1):
             break
         renew(t)
     deliver_ends(t)
