@@ -71,6 +71,7 @@ SOURCES = (
     "linkage.pace",
     "linkage.throwing",
     "linkage.positions",
+    "linkage.seeking",
     "linkage.skyline",
     "linkage.springs",
     "linkage.tally",

@@ -20,8 +20,8 @@ coordinates that went astray; what winches, servos and hands change is done at o
 SATISFIED = 1e-8
 """A coordinate is beyond its limit if it is by more, in sizes of the joint or rad."""
 
-MOST_TURN = 0.75
-"""An angle that hands changed changes by so much in a part (rad)."""
+BY_HAND = 0.75
+"""An angle that hands changed comes back by so much in a part (rad)."""
 
 FARTHEST = 1e300
 """No length is larger."""
@@ -128,7 +128,7 @@ def left_beyond(t: Tables, joint: int, row: int, part: float) -> float:
 
 def left_by_hand(t: Tables, joint: int, row: int) -> float:
     """What is left then of what hands did."""
-    return left_over(by_hand(t, joint, row), MOST_TURN if is_angle(t, row) else FARTHEST)
+    return left_over(by_hand(t, joint, row), BY_HAND if is_angle(t, row) else FARTHEST)
 
 
 def left_gaping(t: Tables, row: int, joint: int, part: float) -> float:

@@ -116,8 +116,9 @@ class Braces(NamedTuple):
     rows: Ints
     sizes: Ints
     """How many braces, nodes, equations, couplings and entries there are; whether the system is
-    that of the poses in which the bodies are now; how many coordinates there are; and whether no
-    solution was found for the present part (a list of its own)."""
+    that of the poses in which the bodies are now; how many coordinates there are; and what joints
+    do in the present part if no solution was found for it: see `modes.CLOSES` (a list of its own).
+    """
 
 
 class Nodes(NamedTuple):
