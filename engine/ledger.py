@@ -37,6 +37,36 @@ class Impulses(NamedTuple):
         return Vector(math.fsum(v.x for v in self), math.fsum(v.y for v in self))
 
 
+class AngularImpulses(NamedTuple):
+    """Angular impulses about the origin that bodies received (kg m^2/s)."""
+
+    gravity: float
+    """By the world's gravity."""
+    pushes: float
+    """By what `Body.exert` lets act."""
+    laws: float
+    """By laws of force (`World.add_law`)."""
+    drag: float
+    walls: float
+    """By walls and all that no impulse moves."""
+    joints: float
+    """By joints to fixed points of the world and to what no impulse moves."""
+    particles: float
+    """Less what would turn particles, which never spin: it is lost."""
+    corrections: float
+    """By moving deep overlaps apart, and by hinges that are torn so far that they pull at both
+    anchors."""
+    hand: float
+    """What adding, removing and setting bodies between ticks brought."""
+    integrator: float
+    """Error of the integrator, where flights begin and end."""
+
+    @property
+    def total(self) -> float:
+        """All together."""
+        return math.fsum(self)
+
+
 class Work(NamedTuple):
     """Energy that bodies received (J)."""
 
@@ -76,8 +106,9 @@ class Dissipated(NamedTuple):
 class Ledger(NamedTuple):
     """The books of a world, from its beginning to now.
 
-    Momentum is the sum of the impulses, kinetic energy the work less what was dissipated, both to
-    rounding: `momentum_error` and `energy_error` say what is left. For the change since an earlier
+    Momentum is the sum of the impulses, angular momentum that of the angular impulses, kinetic
+    energy the work less what was dissipated, all to rounding: `momentum_error`,
+    `angular_momentum_error` and `energy_error` say what is left. For the change since an earlier
     moment, take a ledger then as well: `later.since(earlier)`.
     """
 
@@ -92,6 +123,7 @@ class Ledger(NamedTuple):
     potential: float
     """Potential energy in gravity and in laws of force (J)."""
     impulses: Impulses
+    angular_impulses: AngularImpulses
     work: Work
     dissipated: Dissipated
 
@@ -103,10 +135,24 @@ class Ledger(NamedTuple):
         return Vector(total.x - sum(v.x for v in own), total.y - sum(v.y for v in own))
 
     @property
+    def outside_angular_impulse(self) -> float:
+        """What the bodies received from outside, about the origin: by forces, walls and joints to
+        fixed points (kg m^2/s).
+        """
+        each = self.angular_impulses
+        own = (each.particles, each.corrections, each.hand, each.integrator)
+        return each.total - math.fsum(own)
+
+    @property
     def momentum_error(self) -> Vector:
         """What the books lack (kg m/s): rounding."""
         total = self.impulses.total
         return Vector(self.momentum.x - total.x, self.momentum.y - total.y)
+
+    @property
+    def angular_momentum_error(self) -> float:
+        """What the books lack (kg m^2/s): rounding."""
+        return self.angular_momentum - self.angular_impulses.total
 
     @property
     def energy_error(self) -> float:
@@ -127,8 +173,10 @@ class Ledger(NamedTuple):
 
 def ledger(world: "World") -> Ledger:
     """Read the books of a world."""
-    books, (momentum_x, momentum_y, kinetic) = world.tables.books, totals(world.tables).tolist()
+    books = world.tables.books
+    momentum_x, momentum_y, angular_momentum, kinetic = totals(world.tables).tolist()
     names = ("gravity", "push", "field", "drag", "wall", "joint", "hand", "integrator")
+    turns = (*names[:6], "particle", "correction", *names[6:])
     works = ("gravity", "push", "field", "wall", "joint", "hand", "integrator")
     heats = ("restitution", "friction", "contact", "drag")
     impulses = [
@@ -137,17 +185,20 @@ def ledger(world: "World") -> Ledger:
     return Ledger(
         time=world.time,
         momentum=Vector(momentum_x, momentum_y),
-        angular_momentum=world.angular_momentum,
+        angular_momentum=angular_momentum,
         kinetic=kinetic,
         potential=world.potential_energy,
         impulses=Impulses(*impulses),
+        angular_impulses=AngularImpulses(*(getattr(books, f"{name}_turn")[0] for name in turns)),
         work=Work(*(getattr(books, f"{name}_work")[0] for name in works)),
         dissipated=Dissipated(*(getattr(books, f"{name}_heat")[0] for name in heats)),
     )
 
 
 def totals(tables: Tables) -> Any:
-    """Momentum (x and y, kg m/s) and kinetic energy (J) of all bodies that can be moved."""
+    """Momentum (x and y, kg m/s), angular momentum about the origin (kg m^2/s) and kinetic energy
+    (J) of all bodies that can be moved.
+    """
     count = tables.counts.bodies[0]
     free = np.flatnonzero(np.asarray(tables.bodies.inverse_mass)[:count] > 0.0)
 
@@ -155,16 +206,19 @@ def totals(tables: Tables) -> Any:
         return np.asarray(getattr(tables.bodies, name))[free]
 
     mass, vx, vy, spin = column("mass"), column("vx"), column("vy"), column("spin")
+    px, py = mass * vx, mass * vy
     inertia = np.where(column("inverse_inertia") > 0.0, column("inertia"), 0.0)
     energy = (mass * (vx * vx + vy * vy) + inertia * spin * spin) / 2.0
-    return np.array([math.fsum(each.tolist()) for each in (mass * vx, mass * vy, energy)])
+    angular = column("x") * py - column("y") * px + inertia * spin
+    return np.array([math.fsum(each.tolist()) for each in (px, py, angular, energy)])
 
 
 def book_hand(tables: Tables, before: Any) -> None:
     """Book what was done between ticks, since the totals were `before`."""
-    x, y, work = (totals(tables) - before).tolist()
+    x, y, turn, work = (totals(tables) - before).tolist()
     tables.books.hand_x[0] += x
     tables.books.hand_y[0] += y
+    tables.books.hand_turn[0] += turn
     tables.books.hand_work[0] += work
 
 

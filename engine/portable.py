@@ -16,12 +16,13 @@ from engine.force_laws import ActingLaw, PointGravity, SpringTo, checked_law
 from engine.forces import Force, LinearDrag, QuadraticDrag, Torque
 from engine.joint import Joint
 from engine.joints import KINDS as JOINTS
+from engine.ledger import totals
 from engine.materials import material_name
 from engine.plain import INFINITIES, Decoder, Functions, encode
 from engine.settings import INTEGRATORS, Laws, geometric_mean, larger
 from engine.shapes import Shape
 from engine.snapshot import Snapshot
-from engine.tables import Counts, Joints, Tables, allocate, arrays
+from engine.tables import Books, Counts, Joints, Tables, allocate, arrays
 from engine.tables.linkage import STRAINED
 
 if TYPE_CHECKING:
@@ -143,6 +144,10 @@ DERIVED = (
     "bodies.gained",
     "bodies.kicked",
     "bodies.bone",
+    "bodies.absement_x",
+    "bodies.absement_y",
+    "bodies.from_absement_x",
+    "bodies.from_absement_y",
     "pairs.queue",
     "pairs.resting",
     "pairs.grouped",
@@ -151,6 +156,9 @@ DERIVED = (
     "state.loose",
 )
 """Columns that are made anew before they are read: they are not saved."""
+
+TURNS = tuple(name for name in Books._fields if name.endswith("_turn"))
+"""Columns of `Books` that worlds which were saved before there were any lack, all of them."""
 
 NOT_NEGATIVE = ("mass", "inverse_mass", "inertia", "inverse_inertia", "restitution", "friction")
 """Columns of `Bodies`."""
@@ -192,6 +200,9 @@ def to_dict(world: "World") -> dict[str, Any]:
 def refill(world: "World", data: dict[str, Any], functions: Functions) -> None:
     """Make a new, empty world what `to_dict` said.
 
+    One that was saved before there were books of angular momentum begins them now: what it has was
+    brought by hand.
+
     Raises:
         TypeError, ValueError: in one sentence, for data of another version or that `to_dict` would
             not have made.
@@ -206,7 +217,11 @@ def refill(world: "World", data: dict[str, Any], functions: Functions) -> None:
         setattr(world, name, usual if rule is None else decode(rule))
     world.laws = _laws(data["laws"])
     validate.keys(data["tables"], tuple(TABLES), "the tables of a saved world")
-    tables = {name: _table(name, data["tables"][name]) for name in TABLES}
+    saved = data["tables"]
+    begins = isinstance(saved["books"], dict) and not any(name in saved["books"] for name in TURNS)
+    if begins:
+        saved = saved | {"books": saved["books"] | {name: [0.0] for name in TURNS}}
+    tables = {name: _table(name, saved[name]) for name in TABLES}
     _check_rows(tables)
     handles = tuple(
         _handle(world, each, decode) for each in validate.listed(data["handles"], "handles")
@@ -225,6 +240,9 @@ def refill(world: "World", data: dict[str, Any], functions: Functions) -> None:
         world.store.material(material_name(name))
     columns |= {"counts": counts}
     world.restore(Snapshot(columns, handles, acting, joints, world.laws, world.rules))
+    if begins:
+        _, _, turn, _ = totals(world.store.tables).tolist()
+        world.store.tables.books.hand_turn[0] = turn
 
 
 def _ids(law: ActingLaw, world: "World") -> list[int] | None:

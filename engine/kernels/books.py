@@ -10,6 +10,16 @@ Each entry is exact for the motion as it is computed, so that they sum to the ch
   booked as its own error.
 """
 
+from engine.kernels.moments import (
+    book_lost,
+    book_lost_in_impact,
+    book_lost_in_rest,
+    book_turn_by_push,
+    book_turn_by_wall,
+    forget_bend,
+    is_particle,
+    turn_of,
+)
 from engine.settings import Laws
 from engine.tables import Bodies, Tables
 
@@ -30,10 +40,8 @@ def is_forced(t: Tables, laws: Laws) -> bool:
 
 
 def note_starts(bodies: Bodies, count: int) -> None:
-    """Note where bodies are at the start of a tick, and what pushes, alone so far, do to them."""
+    """Note how bodies stand at the start of a tick, and what pushes, alone so far, do to them."""
     for row in range(count):
-        bodies.start_x[row] = bodies.x[row]
-        bodies.start_y[row] = bodies.y[row]
         bodies.start_angle[row] = bodies.angle[row]
         bodies.push_x[row] = 0.0
         bodies.push_y[row] = 0.0
@@ -60,6 +68,7 @@ def book_lead(t: Tables, row: int, x: float, y: float, spin: float) -> None:
         return
     mass = t.bodies.mass[row]
     t.books.integrator_work[0] += work_of(t.bodies, row, x, y, spin)
+    t.books.integrator_turn[0] += turn_of(t.bodies, row, x, y, spin)
     t.books.integrator_x[0] += mass * x
     t.books.integrator_y[0] += mass * y
 
@@ -80,6 +89,7 @@ def book_halt(t: Tables, row: int) -> None:
     vx = bodies.vx[row]
     vy = bodies.vy[row]
     t.books.contact_heat[0] -= work_of(bodies, row, -vx, -vy, -bodies.spin[row])
+    t.books.wall_turn[0] -= turn_of(bodies, row, vx, vy, bodies.spin[row])
     t.books.wall_x[0] -= bodies.mass[row] * vx
     t.books.wall_y[0] -= bodies.mass[row] * vy
 
@@ -93,6 +103,7 @@ def book_forces(t: Tables, count: int, laws: Laws, dt: float) -> None:
     work = 0.0
     x_sum = 0.0
     y_sum = 0.0
+    turn = 0.0
     for row in range(count):
         if bodies.inverse_mass[row] > 0.0:
             weight = bodies.mass[row] * bodies.gravity_scale[row]
@@ -103,23 +114,29 @@ def book_forces(t: Tables, count: int, laws: Laws, dt: float) -> None:
             work += fx * x + fy * y
             x_sum += fx
             y_sum += fy
+            sum_x = bodies.start_x[row] * dt + bodies.absement_x[row]
+            sum_y = bodies.start_y[row] * dt + bodies.absement_y[row]
+            turn += sum_x * fy - sum_y * fx
             if resisted:
                 fx = bodies.force_x[row] - fx - bodies.push_x[row] - bodies.field_x[row]
                 fy = bodies.force_y[row] - fy - bodies.push_y[row] - bodies.field_y[row]
                 books.drag_heat[0] -= fx * x + fy * y
                 books.drag_x[0] += fx * dt
                 books.drag_y[0] += fy * dt
+                books.drag_turn[0] += sum_x * fy - sum_y * fx
             if driven:
                 book_push(t, row, x, y, dt)
     books.gravity_work[0] += work
     books.gravity_x[0] += x_sum * dt
     books.gravity_y[0] += y_sum * dt
+    books.gravity_turn[0] += turn
 
 
 def book_push(t: Tables, row: int, x: float, y: float, dt: float) -> None:
     """Book what pushes and fields did to a body on its way (m) in a tick (s)."""
     bodies = t.bodies
     books = t.books
+    book_turn_by_push(t, row, dt)
     turn = 0.0
     if bodies.inverse_inertia[row] > 0.0:
         turn = bodies.angle[row] - bodies.start_angle[row]
@@ -142,6 +159,7 @@ def book_wall(t: Tables, row: int, x: float, y: float, jx: float, jy: float) -> 
     bodies = t.bodies
     t.books.wall_x[0] += jx
     t.books.wall_y[0] += jy
+    t.books.wall_turn[0] += x * jy - y * jx
     vx = bodies.vx[row] - bodies.spin[row] * (y - bodies.here_y[row])
     vy = bodies.vy[row] + bodies.spin[row] * (x - bodies.here_x[row])
     t.books.wall_work[0] += jx * vx + jy * vy
@@ -155,6 +173,7 @@ def book_impact(t: Tables, pair: int, x: float, y: float, jx: float, jy: float) 
         book_wall(t, a, x, y, jx, jy)
     if t.bodies.inverse_mass[b] == 0.0:
         book_wall(t, b, x, y, -jx, -jy)
+    book_lost_in_impact(t, pair, x, y, jx, jy)
 
 
 def note_part(bodies: Bodies, row: int) -> None:
@@ -162,6 +181,8 @@ def note_part(bodies: Bodies, row: int) -> None:
     bodies.from_x[row] = bodies.x[row]
     bodies.from_y[row] = bodies.y[row]
     bodies.from_angle[row] = bodies.angle[row]
+    bodies.from_absement_x[row] = bodies.absement_x[row]
+    bodies.from_absement_y[row] = bodies.absement_y[row]
 
 
 def book_part(
@@ -184,8 +205,11 @@ def book_part(
     mean_spin = bodies.mean_spin
     half = reached / 2.0
     calm = True
+    particles = False
     for row in range(count):
         if held[row] > 0:
+            forget_bend(bodies, row, reached)
+            particles = particles or is_particle(bodies, row)
             vx = bodies.vx[row] - bodies.path_x[row] * half
             vy = bodies.vy[row] - bodies.path_y[row] * half
             spin = bodies.spin[row] - bodies.path_spin[row] * half
@@ -197,7 +221,9 @@ def book_part(
     if disturbed and reached > 0.0:
         calm = False
         measure_means(bodies, count, reached)
-    book_contacts(t, resting, reached / part, calm, False)
+    book_contacts(t, resting, reached / part, reached, calm, False)
+    if particles:
+        book_lost_in_rest(t, resting, reached / part, False)
 
 
 def measure_means(bodies: Bodies, count: int, reached: float) -> None:
@@ -222,8 +248,10 @@ def book_relax(t: Tables, resting: int, count: int) -> None:
     mean_y = bodies.mean_y
     mean_spin = bodies.mean_spin
     calm = True
+    particles = False
     for row in range(count):
         if held[row] > 0:
+            particles = particles or is_particle(bodies, row)
             vx = (bodies.vx[row] + bodies.kick_x[row]) / 2.0
             vy = (bodies.vy[row] + bodies.kick_y[row]) / 2.0
             spin = (bodies.spin[row] + bodies.kick_spin[row]) / 2.0
@@ -232,7 +260,9 @@ def book_relax(t: Tables, resting: int, count: int) -> None:
             mean_spin[row] = spin
             if abs(vx) + abs(vy) + abs(spin) > CALM:
                 calm = False
-    work, x, y = book_contacts(t, resting, 1.0, calm, True)
+    work, x, y = book_contacts(t, resting, 1.0, 0.0, calm, True)
+    if particles:
+        book_lost_in_rest(t, resting, 1.0, True)
     if t.braces.sizes[0] > 0 or t.bones.sizes[0] > 0:
         book_ease(t, count, work, x, y)
 
@@ -259,12 +289,13 @@ def book_ease(t: Tables, count: int, work: float, x: float, y: float) -> None:
 
 
 def book_contacts(
-    t: Tables, resting: int, share: float, calm: bool, relaxing: bool
+    t: Tables, resting: int, share: float, lasted: float, calm: bool, relaxing: bool
 ) -> tuple[float, float, float]:
-    """Book a `share` of the impulses of contacts, given at the mean velocities of the bodies.
+    """Book a `share` of the impulses of contacts, given at the mean velocities of the bodies in a
+    part that lasted so long (s).
 
-    Relaxing, only what they changed by since the part counts. Returns the energy (J) and the
-    momentum (N s) that it brought to all bodies together.
+    Relaxing, only what they changed by since the part counts, and was given at once. Returns the
+    energy (J) and the momentum (N s) that it brought to all bodies together.
     """
     books = t.books
     before_work = books.wall_work[0]
@@ -300,11 +331,14 @@ def book_contacts(
         sliding = vy * nx - vx * ny + belt
         spin_a = mean_spin[a]
         spin_b = mean_spin[b]
+        rolling = 0.0
         if pairs.rolling_torque[pair] != 0.0 or pairs.booked_rolling[pair] != 0.0:
             rolling = pairs.rolling_torque[pair] * pairs.part[pair]
             if relaxing:
                 rolling -= pairs.booked_rolling[pair]
             rubbed += rolling * (spin_b - spin_a)
+        turn_a = rolling
+        turn_b = rolling
         push = 0.0
         rub = 0.0
         points = pairs.points[pair] if relaxing else pairs.acting[pair]
@@ -316,19 +350,27 @@ def book_contacts(
                 tangent -= t.contacts.booked_tangent[row]
             push += normal
             rub += tangent
-            pressed += normal * (opening + spin_b * normal_arm_b[row] - spin_a * normal_arm_a[row])
+            arm_a = normal_arm_a[row]
+            arm_b = normal_arm_b[row]
+            pressed += normal * (opening + spin_b * arm_b - spin_a * arm_a)
+            turn_a += normal * arm_a
+            turn_b += normal * arm_b
             if tangent != 0.0:
-                rubbed += tangent * (
-                    sliding + spin_b * tangent_arm_b[row] - spin_a * tangent_arm_a[row]
-                )
+                arm_a = tangent_arm_a[row]
+                arm_b = tangent_arm_b[row]
+                rubbed += tangent * (sliding + spin_b * arm_b - spin_a * arm_a)
+                turn_a += tangent * arm_a
+                turn_b += tangent * arm_b
         driven += rub * belt
         if wall:
             x = (push * nx - rub * ny) * share
             y = (push * ny + rub * nx) * share
             if inverse_mass[a] == 0.0:
-                book_held(t, a, x, y, pair, points, share, relaxing)
+                book_held(t, a, x, y, turn_a * share)
+                book_turn_by_wall(t, b, x, y, turn_b * share, lasted, relaxing)
             if inverse_mass[b] == 0.0:
-                book_held(t, b, -x, -y, pair, points, share, relaxing)
+                book_held(t, b, -x, -y, -turn_b * share)
+                book_turn_by_wall(t, a, -x, -y, -turn_a * share, lasted, relaxing)
     books.contact_heat[0] -= pressed * share
     books.friction_heat[0] -= rubbed * share
     books.wall_work[0] -= driven * share
@@ -336,45 +378,15 @@ def book_contacts(
     return work, books.wall_x[0] - before_x, books.wall_y[0] - before_y
 
 
-def book_held(
-    t: Tables,
-    row: int,
-    jx: float,
-    jy: float,
-    pair: int,
-    points: int,
-    share: float,
-    relaxing: bool,
-) -> None:
-    """Book the impulse (N s) that an immovable body gave in a resting contact; work if it moves."""
+def book_held(t: Tables, row: int, jx: float, jy: float, turn: float) -> None:
+    """Book the impulse (N s) that an immovable body gave in a resting contact; work if it moves,
+    for which the angular impulse that it gave counts too (N m s, about its centre).
+    """
     bodies = t.bodies
-    contacts = t.contacts
     t.books.wall_x[0] += jx
     t.books.wall_y[0] += jy
-    vx = bodies.mean_x[row]
-    vy = bodies.mean_y[row]
-    spin = bodies.mean_spin[row]
-    if vx == 0.0 and vy == 0.0 and spin == 0.0:
-        return
-    turn = t.pairs.rolling_torque[pair] * t.pairs.part[pair]
-    if relaxing:
-        turn -= t.pairs.booked_rolling[pair]
-    first = row == t.pairs.a[pair]
-    if not first:
-        turn = -turn
-    for point in range(2 * pair, 2 * pair + points):
-        normal = contacts.normal_impulse[point]
-        tangent = contacts.tangent_impulse[point]
-        if relaxing:
-            normal -= contacts.booked_normal[point]
-            tangent -= contacts.booked_tangent[point]
-        if first:
-            turn += normal * contacts.normal_arm_a[point]
-            turn += tangent * contacts.tangent_arm_a[point]
-        else:
-            turn -= normal * contacts.normal_arm_b[point]
-            turn -= tangent * contacts.tangent_arm_b[point]
-    t.books.wall_work[0] += jx * vx + jy * vy + turn * share * spin
+    work = jx * bodies.mean_x[row] + jy * bodies.mean_y[row]
+    t.books.wall_work[0] += work + turn * bodies.mean_spin[row]
 
 
 def book_turn(t: Tables, row: int, turn: float) -> None:
@@ -385,3 +397,4 @@ def book_turn(t: Tables, row: int, turn: float) -> None:
     t.books.contact_heat[0] -= work
     if t.bodies.inverse_mass[row] == 0.0:
         t.books.wall_work[0] -= work
+    book_lost(t, row, turn)

@@ -20,6 +20,7 @@ from engine.kernels.following import (
     weigh_if_racing,
 )
 from engine.kernels.gaining import only_forces_drive, sweep_on
+from engine.kernels.halting import book_shift_by_ground
 from engine.kernels.impacts import settling_speed
 from engine.kernels.packing import load_points, pack, pack_again, unload
 from engine.kernels.sweeps import QUIET, WILD, warm_start
@@ -36,7 +37,7 @@ from engine.linkage.limb_groups import (
 from engine.linkage.limb_motion import bind_limbs
 from engine.linkage.limb_sweeps import sweep_all, turn_limbs_by_shift
 from engine.linkage.limb_velocities import ease_limbs
-from engine.linkage.positions import bind, brace, follow_joints, keep_impulses
+from engine.linkage.positions import bind, brace, follow_joints, follow_late, keep_impulses
 from engine.linkage.tally import is_joined, joints_act, joints_jolt
 from engine.linkage.velocities import ease, keep_ends, prepare_ease
 from engine.tables import RESTING, Tables
@@ -384,6 +385,7 @@ def shift_paths(t: Tables, count: int, first: int, now: float, part: float, reac
             bodies.shift_y[a] -= impacts.impulse_y[i] * bodies.inverse_mass[a] * weight
             bodies.shift_x[b] += impacts.impulse_x[i] * bodies.inverse_mass[b] * weight
             bodies.shift_y[b] += impacts.impulse_y[i] * bodies.inverse_mass[b] * weight
+    follow_late(t, reached)
 
 
 def turn_by_shift(t: Tables, pair: int, done: float) -> None:
@@ -403,6 +405,7 @@ def turn_by_shift(t: Tables, pair: int, done: float) -> None:
         jx = contacts.normal_impulse[row] * nx - contacts.tangent_impulse[row] * ny
         jy = contacts.normal_impulse[row] * ny + contacts.tangent_impulse[row] * nx
         turn = (x * jy - y * jx) * done
+        book_shift_by_ground(t, a, b, turn)
         book_turn(t, a, -of_a * turn)
         book_turn(t, b, (of_a - 1.0) * turn)
         bodies.spin[a] -= of_a * turn * bodies.inverse_inertia[a]

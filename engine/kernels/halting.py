@@ -6,7 +6,10 @@ a little of what loads should bear.
 """
 
 from engine.kernels.books import book_halt
+from engine.kernels.moments import book_lost, place_in_part, turn_by_contact
+from engine.kernels.rousing import PRESENT
 from engine.kernels.sticking import FIXED
+from engine.kernels.touches import impulses_at
 from engine.tables import Tables
 
 
@@ -30,13 +33,76 @@ def halt_fixed(t: Tables, count: int, resting: int) -> None:
         hand_down(t, count, resting)
 
 
-def book_fixed(t: Tables, count: int, share: float) -> None:
-    """Book to the ground, for a share of the part, what it gave to fixed bodies besides loads."""
+def book_fixed(t: Tables, count: int, share: float, lasted: float) -> bool:
+    """Book to the ground, for a share of the part, which lasted so long (s), what it gave to fixed
+    bodies besides loads; return whether others take part.
+
+    It takes the angular impulse of whatever acts on what sticks to it, as that does not turn.
+    """
     bodies = t.bodies
+    loose = False
+    turn = 0.0
     for row in range(count):
         if is_fixed(t, row):
             t.books.wall_x[0] -= bodies.mass[row] * bodies.left_x[row] * share
             t.books.wall_y[0] -= bodies.mass[row] * bodies.left_y[row] * share
+            x = bodies.from_x[row] + bodies.x[row]
+            y = bodies.from_y[row] + bodies.y[row]
+            turn += (x * bodies.force_y[row] - y * bodies.force_x[row]) / 2.0
+            if bodies.inverse_inertia[row] > 0.0:
+                turn += bodies.torque[row]
+        elif bodies.held[row] > 0 and bodies.inverse_mass[row] > 0.0:
+            loose = True
+    t.books.wall_turn[0] -= turn * lasted
+    return loose
+
+
+def book_turns_by_ground(t: Tables, resting: int, share: float, lasted: float) -> None:
+    """Book the angular impulses that bodies which are not fixed got from those that are, and from
+    the ground, where they got them, in a share of a steady part, which lasted so long (s).
+    """
+    for k in range(resting):
+        pair = t.pairs.resting[k]
+        a = t.pairs.a[pair]
+        b = t.pairs.b[pair]
+        book_grounded(t, pair, a, is_ground(t, b), share, lasted)
+        book_grounded(t, pair, b, is_ground(t, a), share, lasted)
+
+
+def book_grounded(
+    t: Tables, pair: int, row: int, by_ground: bool, share: float, lasted: float
+) -> None:
+    """Book what a body that is no ground gets in a resting contact, if it gets it from ground, and
+    what of it is lost.
+    """
+    if is_ground(t, row):
+        return
+    turn = turn_by_contact(t, pair, row, False) * share
+    book_lost(t, row, turn)
+    if by_ground:
+        push, rub = impulses_at(t, pair, t.pairs.acting[pair])
+        sign = share if row == t.pairs.b[pair] else -share
+        jx = sign * (push * t.pairs.normal_x[pair] - rub * t.pairs.normal_y[pair])
+        jy = sign * (push * t.pairs.normal_y[pair] + rub * t.pairs.normal_x[pair])
+        x, y = place_in_part(t.bodies, row, lasted)
+        t.books.wall_turn[0] += x * jy - y * jx + turn
+
+
+def book_shift_by_ground(t: Tables, a: int, b: int, turn: float) -> None:
+    """Book an angular impulse (N m s) that is taken from two bodies that act on each other, as they
+    are not where that was planned, if one of them is ground that may move from now on.
+    """
+    inverse_mass = t.bodies.inverse_mass
+    if inverse_mass[a] > 0.0 and inverse_mass[b] > 0.0 and is_ground(t, a) != is_ground(t, b):
+        t.books.wall_turn[0] -= turn
+
+
+def is_ground(t: Tables, row: int) -> bool:
+    """Whether nothing moves a body in the present part: it is immovable, or waits and is fixed."""
+    bodies = t.bodies
+    if bodies.inverse_mass[row] == 0.0:
+        return True
+    return bodies.waits[row] != PRESENT and bodies.stuck[row] == FIXED
 
 
 def hand_on(t: Tables, count: int, resting: int, share: float) -> None:

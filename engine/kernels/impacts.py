@@ -63,8 +63,8 @@ def strike(
     b = t.pairs.b[pair]
     if bodies.asleep[a] != bodies.asleep[b]:
         wake(t, a if bodies.asleep[a] == 1 else b)
-    come(bodies, a, time)
-    come(bodies, b, time)
+    come(t, a, time)
+    come(t, b, time)
     place_pair(t, pair, time)
     points = touching_points(t, pair)
     one, other, speed = choose_points(t, pair, points, near)
@@ -91,9 +91,10 @@ def strike(
     return rests
 
 
-def come(bodies: Bodies, row: int, time: float) -> None:
+def come(t: Tables, row: int, time: float) -> None:
     """Move a body to where it is struck at `time` of the part (s); note with what velocity."""
-    advance(bodies, row, time)
+    bodies = t.bodies
+    advance(t, row, time)
     bodies.came_x[row] = bodies.vx[row]
     bodies.came_y[row] = bodies.vy[row]
     bodies.came_spin[row] = bodies.spin[row]

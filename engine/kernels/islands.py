@@ -12,7 +12,7 @@ those that take part.
 
 from engine.kernels.books import book_part
 from engine.kernels.contacts import correct_arms, relax
-from engine.kernels.halting import book_fixed, hand_on
+from engine.kernels.halting import book_fixed, book_turns_by_ground, hand_on
 from engine.kernels.resting import place_middle
 from engine.kernels.rousing import ALL, PRESENT, ROUSED, STEADILY, pair_waits
 from engine.kernels.standing import is_built, moves, stand, take_back_new
@@ -24,6 +24,7 @@ from engine.kernels.steady import (
     RELYING,
     TRUSTED,
     balance,
+    is_loose,
     is_unsteady,
     put_off,
     relies,
@@ -70,8 +71,12 @@ def wait_steadily(t: Tables, count: int, resting: int, dt: float) -> tuple[int, 
             waiting += 1
     turn_to(t, count, STEADILY)
     steadiness = RELYING
-    if not relies(t, count, waiting, dt):
+    loose = t.state.trusted[0] > 0 and is_loose(t, count)
+    if loose:
         place_middle(t, count, dt / 2.0, False)
+    if not relies(t, count, waiting, dt, loose):
+        if not loose:
+            place_middle(t, count, dt / 2.0, False)
         steadiness = balance(t, count, waiting, dt)
     if steadiness == MOVING:
         if islands > 1:
@@ -222,8 +227,10 @@ def end_steadily(
     for at in range(t.bones.sizes[9]):
         forget_jolts(t, t.bones.acting[at])
     book_part(t, waiting, count, dt, now, hit)
-    book_even(t, share)
-    book_fixed(t, count, share)
+    book_even(t, share, now)
+    loose = book_fixed(t, count, share, now)
+    if loose:
+        book_turns_by_ground(t, waiting, share, now)
     if now < dt:
         hand_on(t, count, waiting, share)
         for k in range(waiting):  # what let go has been given its share

@@ -15,6 +15,7 @@ import math
 from engine.kernels.books import work_of
 from engine.kernels.following import DEEP, find_points, follow, has_drifted
 from engine.kernels.meeting import swing_of
+from engine.kernels.moments import turn_of
 from engine.kernels.spring import sag
 from engine.kernels.touches import collect
 from engine.linkage.tally import is_joined
@@ -204,6 +205,7 @@ def give(t: Tables, row: int, inertia: float, jx: float, jy: float, spin: float)
     if inertia == 0.0:
         spin = 0.0
     t.books.contact_heat[0] -= work_of(bodies, row, x, y, spin)
+    t.books.correction_turn[0] += turn_of(bodies, row, x, y, spin)
     bodies.vx[row] += x
     bodies.vy[row] += y
     bodies.spin[row] += spin
@@ -227,6 +229,8 @@ def turn_in_place(t: Tables, row: int) -> None:
 def move(t: Tables, row: int, x: float, y: float) -> None:
     """Move a body by an impulse of ways (kg m) against the forces on it, which contacts pay for."""
     bodies = t.bodies
+    if bodies.inverse_mass[row] > 0.0:
+        t.books.correction_turn[0] += x * bodies.vy[row] - y * bodies.vx[row]
     x *= bodies.inverse_mass[row]
     y *= bodies.inverse_mass[row]
     bodies.x[row] += x

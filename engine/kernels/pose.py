@@ -73,13 +73,20 @@ def turn(corners: Corners, first: int, end: int, x: float, y: float, angle: floa
         corners.world_normal_y[i] = sin * local_x + cos * local_y
 
 
-def advance(bodies: Bodies, row: int, time: float) -> None:
+def advance(t: Tables, row: int, time: float) -> None:
     """Move a body along its path to `time` of the present part of the tick (s)."""
+    bodies = t.bodies
     passed = time - bodies.clock[row]
     bodies.clock[row] = time
     if passed == 0.0 or bodies.moves[row] == 0:
         return
     half = passed * passed / 2.0
+    if t.progress.straight[0] == 0:
+        third = half * passed / 3.0
+        x = bodies.x[row] - bodies.start_x[row]
+        y = bodies.y[row] - bodies.start_y[row]
+        bodies.absement_x[row] += x * passed + bodies.vx[row] * half + bodies.path_x[row] * third
+        bodies.absement_y[row] += y * passed + bodies.vy[row] * half + bodies.path_y[row] * third
     bodies.x[row] += bodies.vx[row] * passed + bodies.path_x[row] * half
     bodies.y[row] += bodies.vy[row] * passed + bodies.path_y[row] * half
     bodies.angle[row] += bodies.spin[row] * passed + bodies.path_spin[row] * half
@@ -88,27 +95,42 @@ def advance(bodies: Bodies, row: int, time: float) -> None:
     bodies.spin[row] += bodies.path_spin[row] * passed
 
 
-def advance_all(bodies: Bodies, count: int, time: float) -> None:
-    """Move all bodies along their paths to `time` of the part (s), which ends there."""
+def advance_all(bodies: Bodies, count: int, time: float, whole: bool) -> None:
+    """Move all bodies along their paths to `time` of the part (s), which ends there; it may be the
+    `whole` tick.
+    """
     clock = bodies.clock
     moves = bodies.moves
+    x = bodies.x
+    y = bodies.y
     vx = bodies.vx
     vy = bodies.vy
     spin = bodies.spin
+    at_once = time if whole else -1.0
     for row in range(count):
         passed = time - clock[row]
         clock[row] = 0.0
         if moves[row] == 0 or passed == 0.0:
             continue
         half = passed * passed / 2.0
+        third = half * passed / 3.0
+        ux = vx[row]
+        uy = vy[row]
         ax = bodies.path_x[row]
         ay = bodies.path_y[row]
         turn = bodies.path_spin[row]
-        bodies.x[row] += vx[row] * passed + ax * half
-        bodies.y[row] += vy[row] * passed + ay * half
+        absement_x = ux * half + ax * third
+        absement_y = uy * half + ay * third
+        if passed != at_once:
+            absement_x += (x[row] - bodies.start_x[row]) * passed + bodies.absement_x[row]
+            absement_y += (y[row] - bodies.start_y[row]) * passed + bodies.absement_y[row]
+        bodies.absement_x[row] = absement_x
+        bodies.absement_y[row] = absement_y
+        x[row] += ux * passed + ax * half
+        y[row] += uy * passed + ay * half
         bodies.angle[row] += spin[row] * passed + turn * half
-        vx[row] += ax * passed
-        vy[row] += ay * passed
+        vx[row] = ux + ax * passed
+        vy[row] = uy + ay * passed
         spin[row] += turn * passed
 
 

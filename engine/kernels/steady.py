@@ -162,8 +162,19 @@ def watch(t: Tables, row: int, dt: float) -> None:
         bodies.calm[row] = 0
 
 
-def relies(t: Tables, count: int, resting: int, part: float) -> bool:
-    """Bear the forces for a part of the tick (s) by the loads of the last one, if they still do."""
+def is_loose(t: Tables, count: int) -> bool:
+    """Whether something that rests steadily moves all the same: it may roll, or creep."""
+    bodies = t.bodies
+    for row in range(count):
+        if bodies.held[row] > 0 and bodies.inverse_mass[row] > 0.0 and bodies.stuck[row] != FIXED:
+            return True
+    return False
+
+
+def relies(t: Tables, count: int, resting: int, part: float, loose: bool) -> bool:
+    """Bear the forces for a part of the tick (s) by the loads of the last one, if they still do; at
+    where bodies that are `loose` will be in its middle.
+    """
     state = t.state
     if state.trusted[0] == 0:
         return False
@@ -173,6 +184,8 @@ def relies(t: Tables, count: int, resting: int, part: float) -> bool:
         if t.pairs.steady[t.pairs.resting[k]] == 0:
             return False
         take_up(t, t.pairs.resting[k], part)
+        if loose:
+            follow(t, t.pairs.resting[k], 0.0)
     push_all(t, count, part)
     warm_start(t, resting)
     bear_evenly(t, part)

@@ -22,6 +22,7 @@ from engine.kernels.meeting import (
     foresee_meetings,
     measure_ways,
 )
+from engine.kernels.moments import forget_ways
 from engine.kernels.owing import let_owe
 from engine.kernels.pose import advance_all, drift_all
 from engine.kernels.resting import (
@@ -69,6 +70,7 @@ def begin(t: Tables, count: int, pair_count: int, shortest: float) -> None:
     clear_sums(t)
     for row in range(count):
         bodies.clock[row] = 0.0
+    forget_ways(bodies, count)
     resting = settle(t, count, pair_count, shortest)
     forced = t.books.forced[0] == 1
     if not forced and resting == 0 and not joints_act(t):
@@ -135,8 +137,9 @@ def travel(
         if t.progress.roused[0] > 0 and steady > 0:
             steady = end_steadily(t, count, steady, steadiness, dt, now, False)
             resting = settle(t, count, pair_count, substep)
-        if resting > 0:
+        if resting > 0 and t.progress.straight[0] == 1:
             t.progress.straight[0] = 0
+            forget_ways(t.bodies, count)
         if now == 0.0 and resting > 0 and t.progress.stalled[0] == 0:  # once a tick
             resting, steady, steadiness = wait_steadily(t, count, resting, dt)
         part, held = plan(t, count, resting, dt - now, substep, now, LONGEST)
@@ -165,7 +168,7 @@ def travel(
         if straight:
             drift_all(t.bodies, count, reached)
         else:
-            advance_all(t.bodies, count, reached)
+            advance_all(t.bodies, count, reached, now == 0.0 and reached == dt)
         if held > 0:
             end_contacts(t, held, count, first, now, part, reached)
         untouched = let_owe(t, pair_count, held, part, clear and part < dt - now)
@@ -202,7 +205,7 @@ def end_contacts(
     what impacts, from row `first` on, and an early end change; see `correct_arms`.
     """
     book_part(t, held, count, part, reached, t.impacts.written[0] > first)
-    book_even(t, reached / part)
+    book_even(t, reached / part, reached)
     if reached < part:
         take_back_all(t, held, 1.0 - reached / part)
     correct_arms(t, held, count, first, now, part, reached)

@@ -13,6 +13,7 @@ from engine.linkage.limb_impacts import (
     place_tree,
     tree_at,
 )
+from engine.linkage.moments import book_braces
 from engine.linkage.skyline import solve
 from engine.linkage.velocities import MOST_CHANGES, begin_instant, find_rates, renew
 from engine.tables import Tables
@@ -103,6 +104,8 @@ def react(t: Tables, a: int, b: int, time: float, change: Changes) -> None:
             x = nodes.lent_x[node]
             y = nodes.lent_y[node]
             jolt_at(t, nodes.body[node], time, x, y, nodes.lent_spin[node])
+            nodes.late[node] = 1
+    book_braces(t, time, True)
 
 
 def still(t: Tables, node: int) -> None:

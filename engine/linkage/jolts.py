@@ -16,7 +16,7 @@ def jolt(t: Tables, row: int, x: float, y: float, spin: float) -> None:
 
 def jolt_at(t: Tables, row: int, time: float, x: float, y: float, spin: float) -> None:
     """The same at `time` of the present part (s)."""
-    advance(t.bodies, row, time)
+    advance(t, row, time)
     jolt(t, row, x, y, spin)
 
 

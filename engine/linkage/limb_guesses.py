@@ -7,6 +7,7 @@ from it as it did in the two parts before; what is still owed follows from how f
 
 from engine.linkage.limb_impulses import add_up_limb
 from engine.linkage.limb_sweeps import keep_evenly
+from engine.linkage.moments import book_tree
 from engine.tables import Tables
 
 JUMP = 0.3
@@ -78,6 +79,9 @@ def keep_limb_impulses(t: Tables, part: float) -> None:
         joints.mean_1[joint] = y
         joints.part[joint] = part
         joints.since[joint] += part
+    for at in range(t.bones.sizes[10]):
+        if t.trees.evenly[t.trees.acting[at]] == 0:
+            book_tree(t, t.trees.acting[at])
 
 
 def keep_lag(

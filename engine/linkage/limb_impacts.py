@@ -3,7 +3,16 @@
 from engine.linkage.jolts import jolt_at
 from engine.linkage.limb_impulses import add_up_limb, lend_limb, lend_nothing
 from engine.linkage.limb_velocities import find_hinge_rate
-from engine.linkage.limbs import bear, eliminate, load_alone, place_bone, place_limb, solve_tree
+from engine.linkage.limbs import (
+    bear,
+    eliminate,
+    load_alone,
+    note_torn,
+    place_bone,
+    place_limb,
+    solve_tree,
+)
+from engine.linkage.moments import book_tree
 from engine.tables import Tables
 
 
@@ -25,6 +34,7 @@ def place_tree(t: Tables, tree: int, time: float) -> None:
     for at in range(first, end):
         k = limbs.member[at]
         place_limb(t, k, limbs.parent[k])
+        note_torn(t, k)
         eliminate(t, k, k + 1)
         bear(t, k, limbs.parent[k])
 
@@ -131,6 +141,7 @@ def commit_tree(t: Tables, tree: int, time: float) -> None:
     """Let the bodies of a tree have, at `time` of the part (s), what its hinges last answered."""
     limbs = t.limbs
     first = t.trees.first[tree]
+    book_tree(t, tree)
     for at in range(first, first + t.trees.limbs[tree]):
         k = limbs.member[at]
         add_up_limb(t, k)

@@ -8,6 +8,8 @@ nothing else held its two bodies, then one contact after the other (sequential i
 of the error of hinges is taken by an exact solution (`limb_motion`, `limb_velocities`).
 """
 
+from engine.kernels.halting import book_shift_by_ground
+from engine.kernels.moments import book_lost
 from engine.kernels.sweeps import QUIET, STIRRED, WILD, WILDLY, sweep
 from engine.linkage.jolts import jolt
 from engine.linkage.limb_impulses import (
@@ -17,7 +19,8 @@ from engine.linkage.limb_impulses import (
     lend_all,
     read_held,
 )
-from engine.linkage.limbs import gather_masses, place_limb, set_pose, turn_all
+from engine.linkage.limbs import gather_masses, note_torn, place_limb, set_pose, turn_all
+from engine.linkage.moments import book_even_limb, give_outside, turn_of_both
 from engine.linkage.pace import SHORTEST
 from engine.tables import Tables
 
@@ -61,6 +64,7 @@ def place_even(t: Tables, part: float) -> None:
         k = bones.acting[at]
         if t.trees.evenly[t.limbs.tree[k]] == 1:
             place_limb(t, k, t.limbs.parent[k])
+            note_torn(t, k)
 
 
 def expect_evenly(t: Tables, k: int, part: float) -> None:
@@ -229,6 +233,7 @@ def keep_evenly(t: Tables, k: int) -> None:
     y = limbs.impulse_y[k]
     limbs.turn[k] = limbs.arm_x[k] * y - limbs.arm_y[k] * x
     limbs.counter[k] = limbs.lever_x[k] * y - limbs.lever_y[k] * x
+    limbs.both[k] = turn_of_both(t, k, x, y)
     t.joints.impulse_0[joint] = limbs.sign[k] * x
     t.joints.impulse_1[joint] = limbs.sign[k] * y
     t.joints.lag_0[joint] = t.joints.lag_1[joint] = 0.0
@@ -246,9 +251,9 @@ def keep_loads(t: Tables, part: float) -> None:
         joints.end_1[joint] = limbs.sign[k] * limbs.impulse_y[k] / part
 
 
-def book_even(t: Tables, share: float) -> None:
-    """Book, and add to the sums of the tick, a share of what hinges did all through the part, given
-    at mean velocities of bodies.
+def book_even(t: Tables, share: float, lasted: float) -> None:
+    """Book, and add to the sums of the tick, a share of what hinges did all through the part, which
+    lasted so long (s), given at mean velocities of bodies.
     """
     if t.bones.sizes[7] == 0:
         return
@@ -256,6 +261,7 @@ def book_even(t: Tables, share: float) -> None:
     bodies = t.bodies
     limbs = t.limbs
     work = 0.0
+    outside = give_outside(t)
     for at in range(bones.sizes[8]):
         k = bones.acting[at]
         if t.trees.evenly[limbs.tree[k]] == 1:
@@ -275,6 +281,8 @@ def book_even(t: Tables, share: float) -> None:
             else:
                 t.books.joint_x[0] += x * share
                 t.books.joint_y[0] += y * share
+            if outside or limbs.both[k] != 0.0:
+                book_even_limb(t, k, x * share, y * share, share, lasted)
     t.books.joint_work[0] += work * share
 
 
@@ -302,6 +310,9 @@ def turn_limbs_by_shift(t: Tables, done: float) -> None:
                 turn = x * t.joints.impulse_1[joint] - y * t.joints.impulse_0[joint]
                 turn *= done * limbs.sign[k]
                 if parent < bones.sizes[1]:
+                    book_shift_by_ground(t, row, bones.body[parent], turn)
                     turn /= 2.0
                     jolt(t, bones.body[parent], 0.0, 0.0, -turn * bones.inverse_inertia[parent])
+                    book_lost(t, bones.body[parent], -turn)
                 jolt(t, row, 0.0, 0.0, -turn * bones.inverse_inertia[k])
+                book_lost(t, row, -turn)

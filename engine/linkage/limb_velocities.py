@@ -11,6 +11,7 @@ from engine.linkage.limb_impulses import (
 from engine.linkage.limb_motion import step_limb
 from engine.linkage.limb_sweeps import aim_sweeps
 from engine.linkage.limbs import find_worst, resolve, resolve_tree, solve_all, solve_tree, stand
+from engine.linkage.moments import book_tree
 from engine.tables import Tables
 
 STILL = 1e-12
@@ -136,3 +137,6 @@ def keep_limb_ends(t: Tables, part: float, done: float, steady: bool) -> None:
             y = joints.impulse_1[joint]
         joints.end_0[joint] = 2.0 * x / part
         joints.end_1[joint] = 2.0 * y / part
+    for at in range(t.bones.sizes[10]):
+        if t.trees.owes[t.trees.acting[at]] == 0:
+            book_tree(t, t.trees.acting[at])

@@ -70,6 +70,16 @@ def stand(t: Tables) -> None:
         lead = bones.run_lead[run]
         for k in range(bones.run_first[run], bones.run_end[run]):
             place_limb(t, k, k + lead)
+    t.progress.torn[0] = 0
+    for run in range(bones.sizes[12]):
+        for k in range(bones.run_first[run], bones.run_end[run]):
+            note_torn(t, k)
+
+
+def note_torn(t: Tables, k: int) -> None:
+    """Note if a limb that was just placed is torn."""
+    if t.limbs.miss[k] > TORN * TORN / 4.0:
+        t.progress.torn[0] = 1
 
 
 def set_pose(t: Tables, bone: int, x: float, y: float, angle: float) -> None:
@@ -146,7 +156,9 @@ def place_limb(t: Tables, k: int, parent: int) -> None:
     limbs.base_y[k] = base_y
     limbs.gap_x[k] = gap_x
     limbs.gap_y[k] = gap_y
-    share = 0.5 if (gap_x * gap_x + gap_y * gap_y) * limbs.scale[k] <= TORN * TORN else 0.0
+    square = (gap_x * gap_x + gap_y * gap_y) * limbs.scale[k]
+    limbs.miss[k] = square
+    share = 0.5 if square <= TORN * TORN else 0.0
     half_x = gap_x * share
     half_y = gap_y * share
     limbs.arm_x[k] = limbs.reach_x[k] = tip_x - half_x

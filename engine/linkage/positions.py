@@ -8,12 +8,14 @@ does not drift. The equations are solved by Newton's method (`seeking`), beginni
 of the part before.
 """
 
+from engine.kernels.moments import place_in_part
 from engine.linkage.geometry import aim, measure, place_nodes
 from engine.linkage.impulses import add_up, lend, note_impulses
 from engine.linkage.jolts import jolt, jolt_start
 from engine.linkage.limb_guesses import keep_limb_impulses
 from engine.linkage.limb_motion import brace_limbs
 from engine.linkage.modes import bounds, coordinate_row, first_mode, note_start, scale_of
+from engine.linkage.moments import book_braces
 from engine.linkage.seeking import STRIDE, find_impulses, renew, seek_straight
 from engine.tables import Tables
 from engine.tables.linkage import FREE_WAY
@@ -28,6 +30,7 @@ def brace(t: Tables, part: float) -> None:
         t.nodes.sum_x[node] = 0.0
         t.nodes.sum_y[node] = 0.0
         t.nodes.sum_spin[node] = 0.0
+        t.nodes.late[node] = 0
     gather_means(t)
     place_nodes(t, 0.0)
     known = t.braces.sizes[5] == 1 and t.braces.sizes[6] == 0
@@ -43,6 +46,7 @@ def brace(t: Tables, part: float) -> None:
         lend(t, row, t.equations.impulse[row])
     if leads_astray(t, part):
         forget(t)
+    book_braces(t, 0.0, True)
     deliver(t)
 
 
@@ -90,6 +94,7 @@ def bind(t: Tables, part: float) -> float:
     for row in range(t.braces.sizes[2]):
         t.equations.total[row] = 0.0
     failed = find_impulses(t, part) if t.braces.sizes[7] == 0 else seek_straight(t, part)
+    book_braces(t, 0.0, False)
     deliver(t)
     return failed
 
@@ -104,6 +109,7 @@ def retract(t: Tables) -> None:
     for row in range(t.braces.sizes[2]):
         t.equations.impulse[row] = -t.equations.impulse[row]
     add_up(t)
+    book_braces(t, 0.0, True)
 
 
 def keep_impulses(t: Tables, part: float) -> None:
@@ -166,6 +172,19 @@ def follow_joints(t: Tables, part: float, reached: float) -> None:
             y = bones.late_y[bone] * reached - 2.0 * bones.late_once_y[bone]
             bodies.shift_x[row] += (x + bones.late_twice_x[bone] / reached) / 2.0
             bodies.shift_y[row] += (y + bones.late_twice_y[bone] / reached) / 2.0
+
+
+def follow_late(t: Tables, reached: float) -> None:
+    """Set `shift` of bodies that joints jolted within a part, at impacts, by the way that they went
+    until it ended (s).
+    """
+    bodies = t.bodies
+    for node in range(1, t.braces.sizes[1]):
+        if t.nodes.late[node] == 1:
+            row = t.nodes.body[node]
+            x, y = place_in_part(bodies, row, reached)
+            bodies.shift_x[row] = x - bodies.middle_x[row]
+            bodies.shift_y[row] = y - bodies.middle_y[row]
 
 
 def warm_start(t: Tables, part: float) -> None:

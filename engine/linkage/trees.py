@@ -121,6 +121,9 @@ def fill_trees(t: Tables, trees: list[Tree], movable: set[int], row_of: dict[int
     for number, tree in enumerate(trees):
         table.first[number], table.limbs[number] = place, len(tree.limbs)
         table.root[number] = bone_of[number, tree.root] if tree.root in roots else -1
+        turns: Any = t.bodies.inverse_inertia
+        moved = {limb.child for limb in tree.limbs} | (movable & {tree.root})
+        table.particles[number] = int(any(turns[body] == 0.0 for body in moved))
         if tree.root not in movable:
             _hang(limbs, tree, {limb.child: bone_of[number, limb.child] for limb in tree.limbs})
         for bone in sorted(bone_of[number, limb.child] for limb in tree.limbs):

@@ -4,6 +4,7 @@ from engine.linkage.geometry import aim, measure, place_nodes
 from engine.linkage.impulses import add_up, lend, noted_impulse, solve_for, take
 from engine.linkage.limb_velocities import keep_limb_ends, prepare_limbs
 from engine.linkage.modes import coordinate_row, note_end
+from engine.linkage.moments import book_braces
 from engine.linkage.skyline import assemble, factorise, solve
 from engine.tables import Tables
 from engine.tables.linkage import DRIVEN, ELASTIC, STRAINED
@@ -64,6 +65,7 @@ def keep_ends(t: Tables, part: float, done: float, steady: bool) -> None:
     """Note what the joints exert at the end of a part (s), of which the share `done` has passed."""
     keep_limb_ends(t, part, done, steady)
     add_up(t)
+    book_braces(t, 0.0, True)
 
 
 def begin_instant(t: Tables) -> None:

@@ -152,6 +152,12 @@ class Bodies(NamedTuple):
     """Pose when the present part of the tick began (m, rad)."""
     from_y: Floats
     from_angle: Floats
+    absement_x: Floats
+    """Way since the tick began, integrated over time (m s); see `moments`."""
+    absement_y: Floats
+    from_absement_x: Floats
+    """The same when the present part of the tick began."""
+    from_absement_y: Floats
     gained: Floats
     """Energy that contacts bring to its island in the present part (J); see `gaining`."""
     kicked: Floats

@@ -21,7 +21,7 @@ SIDE_BY_SIDE = {
         "normal_mass", "tangent_mass", "target", "hardness", "softness", "normal_impulse",
         "tangent_impulse", "normal_load", "tangent_load", "booked_normal", "booked_tangent",
     ),
-    "Limbs": ("goal_x", "goal_y", "grip_xx", "grip_xy", "grip_yy", "turn", "counter"),
+    "Limbs": ("goal_x", "goal_y", "grip_xx", "grip_xy", "grip_yy", "turn", "counter", "both"),
     "Joints": (
         "end_0", "end_1", "lag_0", "lag_1", "older_0", "older_1", "since", "spacing", "mean_0",
         "mean_1", "rise_0", "rise_1", "part", "impulse_0", "impulse_1", "sum_x", "sum_y",

@@ -93,6 +93,9 @@ class Limbs(NamedTuple):
     """Angular impulse that it gives to the child all through the part (N m s)."""
     counter: Floats
     """The same that it takes from the parent."""
+    both: Floats
+    """The same that it gives to both about the origin: nothing, unless the parent is immovable, or
+    the hinge is torn."""
 
 
 class Bones(NamedTuple):
@@ -211,6 +214,8 @@ class Trees(NamedTuple):
     turn (J/s^2); see `linkage.pace`. Then what it may become, and by how much it becomes more (J,
     twice); see `linkage.throwing`."""
     lash: Floats
+    particles: Ints
+    """1 if one of its bodies never turns."""
     worst: Floats
     """The greatest miss of a hinge, in units of its tolerance, squared."""
     before: Floats

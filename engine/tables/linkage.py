@@ -147,6 +147,8 @@ class Nodes(NamedTuple):
     sum_y: Floats
     sum_spin: Floats
     """(rad/s)"""
+    late: Ints
+    """1 if they added to it later in the part, too, as something was struck."""
 
 
 class Equations(NamedTuple):

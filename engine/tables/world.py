@@ -97,6 +97,17 @@ class Books(NamedTuple):
     hand_y: Floats
     integrator_x: Floats
     integrator_y: Floats
+    gravity_turn: Floats
+    """Angular impulses about the origin (N m s)."""
+    push_turn: Floats
+    field_turn: Floats
+    drag_turn: Floats
+    wall_turn: Floats
+    joint_turn: Floats
+    particle_turn: Floats
+    correction_turn: Floats
+    hand_turn: Floats
+    integrator_turn: Floats
     gravity_work: Floats
     """Energy that was given (J)."""
     push_work: Floats
@@ -152,6 +163,8 @@ class Progress(NamedTuple):
     owed: Floats
     """Length of the part (s) for whose end some trees of hinges owe what they exert: they exert it
     as the next begins; 0: none does. See `owing`."""
+    torn: Ints
+    """1 if a hinge of a tree is torn, or nearly so, as limbs were last placed."""
     stalled: Ints
     """Parts in a row that ended as they began; see `resting.STALLS`."""
     sweeps: Ints
