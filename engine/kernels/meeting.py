@@ -31,6 +31,10 @@ ZERO_GAP = 1e-10
 HALVINGS = 12
 """So often the time since two bodies touched is halved to see them apart."""
 
+FINER = 32.0
+"""So many times as often are those looked at that overlap where another link of a chain, or piece
+of a body, answers: it may be this one's turn soon."""
+
 MOST_LOOKS = 1024
 """So often two surfaces that stay close are looked at within a part; then its rest is cut in:"""
 
@@ -187,10 +191,7 @@ def slides_over(t: Tables, pair: int, speed: float, lasts: float) -> bool:
     """
     bodies = t.bodies
     pairs = t.pairs
-    piece_a = pairs.piece_a[pair]
-    piece_b = pairs.piece_b[pair]
-    joined = t.pieces.seams[piece_a] + t.pieces.seams[piece_b]
-    if joined == 0 and not is_link(t.pieces, piece_a) and not is_link(t.pieces, piece_b):
+    if not is_part(t, pair):
         return False
     a = pairs.a[pair]
     b = pairs.b[pair]
@@ -204,6 +205,15 @@ def slides_over(t: Tables, pair: int, speed: float, lasts: float) -> bool:
         if pairs.a[other] == a and pairs.b[other] == b and pairs.state[other] == RESTING:
             return True
     return False
+
+
+def is_part(t: Tables, pair: int) -> bool:
+    """Whether a piece of a pair is a link of a chain, or joins other pieces of its body."""
+    a = t.pairs.piece_a[pair]
+    b = t.pairs.piece_b[pair]
+    if t.pieces.seams[a] + t.pieces.seams[b] > 0:
+        return True
+    return is_link(t.pieces, a) or is_link(t.pieces, b)
 
 
 def rim_speed(t: Tables, row: int, piece: int, lasts: float) -> float:
@@ -277,6 +287,7 @@ def search(t: Tables, pair: int, start: float, end: float, bound: float) -> None
     near = level + ZERO_GAP * t.pairs.size[pair]
     still = stillness(t, pair)
     piece = 0.25 * inner_of_smaller(t, pair) / bound if bound > 0.0 else end - start
+    joins = is_part(t, pair)
     if gap <= near:
         speed = approach_at(t, pair, start)
         if speed > still:
@@ -298,7 +309,8 @@ def search(t: Tables, pair: int, start: float, end: float, bound: float) -> None
         looks += 1
         if looks == MOST_LOOKS:
             piece = (end - time) / LAST_LOOKS
-        step = gap / bound if gap > piece * bound else piece
+        least = piece if gap > near or not joins else piece / FINER
+        step = gap / bound if gap > least * bound else least
         later = time + step if time + step < end else end
         after = gap_at(t, pair, later)
         if after <= near:
