@@ -25,8 +25,9 @@ TILT = 0.003
 """If a pair that rests turns by more until its part is over (rad), its other corner is seen to."""
 
 BLOWS = 8
-"""After so many on end within a substep, what rests is left to the sweeps of the next part: blows
-to and fro between what is wedged take ever so many to come to an end."""
+"""After so many within a substep of each other, what rests is left to the sweeps of the next part,
+until it has been calm: blows to and fro between what is wedged take ever so many to come to an end,
+and columns that land strike what they land on in every tick."""
 
 LOOKS = 3
 """Steps of Newton's method: each doubles the number of digits."""
