@@ -3,7 +3,7 @@
 All that joints moved with the two has to be looked at too, each pair once.
 """
 
-from engine.kernels.agenda import enqueue
+from engine.kernels.agenda import TOGETHER, enqueue
 from engine.kernels.circles import stillness
 from engine.kernels.following import closes_faster, turning
 from engine.kernels.impacts import explained_speed
@@ -25,9 +25,14 @@ TILT = 0.003
 """If a pair that rests turns by more until its part is over (rad), its other corner is seen to."""
 
 BLOWS = 8
-"""After so many within a substep of each other, what rests is left to the sweeps of the next part,
-until it has been calm: blows to and fro between what is wedged take ever so many to come to an end,
-and columns that land strike what they land on in every tick."""
+"""After so many in a tick, within a substep of each other, what rests is left to the sweeps of the
+next part, but where"""
+
+SINKS = 0.003
+"""it would sink further before that is over (in reaches of the smaller body); and after"""
+
+MOST_BLOWS = 128
+"""in any case: blows to and fro between what is wedged take ever so many to come to an end."""
 
 LOOKS = 3
 """Steps of Newton's method: each doubles the number of digits."""
@@ -81,17 +86,31 @@ def look_at_pair(t: Tables, pair: int, time: float, part: float, queued: int, st
         find_meeting(t, pair, time, part)
     elif pairs.state[pair] == RESTING and strict:
         pairs.meeting[pair] = NEVER
-        explained = explained_speed(t, pair, part)
-        if pairs.bounces[pair] < BLOWS and closes_faster(t, pair, time, explained):
+        slow = slow_enough(t, pair, part, part - time)
+        if closes_faster(t, pair, time, slow):
             place_pair(t, pair, time)
             points = touching_points(t, pair)
             speed = fastest_within(t, pair, points, time, OVERLAP * pairs.size[pair])
-            if speed > explained:
+            if speed > slow:
                 pairs.meeting[pair] = time
                 pairs.speed[pair] = speed
         if pairs.meeting[pair] == NEVER and turning(t, pair, part - time) > TILT:
             await_corner(t, pair, time, part)
     return enqueue(t, pair, queued)
+
+
+def slow_enough(t: Tables, pair: int, part: float, left: float) -> float:
+    """Speed (m/s) at which a resting pair may close without a blow until its part (s) is over in
+    `left` seconds: one that forces explain, and after many blows one at which it sinks little.
+    """
+    explained = explained_speed(t, pair, part)
+    bounces = t.pairs.bounces[pair]
+    if bounces < BLOWS:
+        return explained
+    if bounces >= MOST_BLOWS or left <= 0.0:
+        return 1e300
+    sinking = SINKS * t.pairs.size[pair] / left
+    return sinking if sinking > explained else explained
 
 
 def await_corners(t: Tables, resting: int, part: float, queued: int) -> int:
@@ -107,31 +126,31 @@ def await_corners(t: Tables, resting: int, part: float, queued: int) -> int:
 
 def await_corner(t: Tables, pair: int, time: float, part: float) -> None:
     """Find when, after `time` of the part (s), the other corner of a resting pair that turns comes
-    down, by Newton's method.
+    down, by Newton's method; where it does not get there, that is left to the next part.
     """
     t.pairs.meeting[pair] = NEVER
     when = time
     speed = 0.0
-    for _ in range(LOOKS):
+    gap = 0.0
+    corner = 0
+    for look in range(LOOKS):
         place_pair(t, pair, when)
         if touching_points(t, pair) < 2:
             return
-        speed = approach_of(t, pair, 0, when)
-        other = approach_of(t, pair, 1, when)
-        closing = 1 if other > speed else 0
-        if closing == 1:
-            speed = other
+        if look == 0 and approach_of(t, pair, 1, when) > approach_of(t, pair, 0, when):
+            corner = 1
+        speed = approach_of(t, pair, corner, when)
         if speed <= stillness(t, pair):
             return
-        when += t.touch.gap[closing] / speed
-        if when <= time:
+        gap = t.touch.gap[corner]
+        when += gap / speed
+        if when <= time + TOGETHER:
             return
         if when > part:
             when = part
-    if when >= part:
-        return
-    t.pairs.meeting[pair] = when
-    t.pairs.speed[pair] = speed
+    if when < part and abs(gap) <= OVERLAP * t.pairs.size[pair]:
+        t.pairs.meeting[pair] = when
+        t.pairs.speed[pair] = speed
 
 
 def look_at_joined(

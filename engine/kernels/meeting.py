@@ -286,7 +286,7 @@ def search(t: Tables, pair: int, start: float, end: float, bound: float) -> None
     level = gap if gap < 0.0 else 0.0
     near = level + ZERO_GAP * t.pairs.size[pair]
     still = stillness(t, pair)
-    piece = 0.25 * inner_of_smaller(t, pair) / bound if bound > 0.0 else end - start
+    piece = 0.25 * inner_of_both(t, pair) / bound if bound > 0.0 else end - start
     joins = is_part(t, pair)
     if gap <= near:
         speed = approach_at(t, pair, start)
@@ -324,13 +324,15 @@ def search(t: Tables, pair: int, start: float, end: float, bound: float) -> None
         gap = after
 
 
-def inner_of_smaller(t: Tables, pair: int) -> float:
-    """Radius of a circle within the smaller piece of a pair, or within the one that has any (m)."""
+def inner_of_both(t: Tables, pair: int) -> float:
+    """Radii of circles within both pieces of a pair together; of the larger, as much counts as of
+    the smaller, if that has any (m).
+    """
     one = t.pieces.inner[t.pairs.piece_a[pair]]
     other = t.pieces.inner[t.pairs.piece_b[pair]]
     if one == 0.0 or other == 0.0:
         return one + other
-    return one if one < other else other
+    return 2.0 * (one if one < other else other)
 
 
 def landing(t: Tables, pair: int, start: float, end: float, gap: float, level: float) -> float:

@@ -318,7 +318,6 @@ def take_up(t: Tables, pair: int, part: float) -> None:
     if t.pairs.steady[pair] == 0:
         t.pairs.carried[pair] *= part / before
     t.pairs.steady[pair] = 1
-    t.pairs.bounces[pair] = 0
     t.pairs.part[pair] = part
 
 

@@ -100,6 +100,8 @@ def end(t: Tables, count: int, pair_count: int, integrator: int, dt: float) -> N
     struck = t.pairs.struck
     for pair in range(pair_count):
         struck[pair] -= dt
+        if struck[pair] < -dt:
+            t.pairs.bounces[pair] = 0
     mean_forces(t, dt)
     if t.books.forced[0] == 0:
         return

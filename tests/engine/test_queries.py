@@ -195,7 +195,9 @@ def box_distance(body: Body, half_x: float, half_y: float) -> Callable[[Any], fl
 def test_casts_agree_with_marching_along_the_ray(
     start: Any, end: Any, at: Any, angle: float, radius: float
 ) -> None:
-    """Sphere tracing (Hart, 1996): steps as long as the distance from a box never pass it."""
+    """Sphere tracing (Hart, 1996): steps as long as the distance from a box never pass it, though
+    along a side that the ray nearly follows they take ever so many to get there.
+    """
     world = World()
     body = world.add(Polygon.box(3, 1), position=at, angle=angle)
     distance = box_distance(body, 1.5, 0.5)
@@ -220,8 +222,11 @@ def test_casts_agree_with_marching_along_the_ray(
         if hit is not None:
             assert distance(hit.point) <= 1e-9
             if hit.fraction > 0:
-                assert gap < 1e-4
-                assert hit.fraction * way == pytest.approx(gone, abs=1e-3)
+                there = [s + hit.fraction * (e - s) for s, e in zip(start, end, strict=True)]
+                assert distance(there) - thick == pytest.approx(0.0, abs=1e-9)
+                assert gone <= hit.fraction * way + 1e-9
+                if gap < 1e-10:
+                    assert hit.fraction * way == pytest.approx(gone, abs=1e-3)
         else:
             assert gap > -1e-9  # the end of the way may just touch
 
