@@ -39,7 +39,8 @@ TOUCHING = 1e-5
 """Gap at which a still pair comes to rest, as a share of the smaller body's reach."""
 
 KEEPING = 5e-3
-"""Gap beyond which a resting pair has parted, in the same unit."""
+"""Gap beyond which a resting pair has parted, in the same unit; what overlaps by more, and neither
+parts nor closes by a reach a second, rests: no bounce takes it out."""
 
 OVERLAP = 1e-3
 """Overlap that has to be pushed apart whatever the motion, in the same unit; points of a resting
@@ -145,7 +146,8 @@ def comes_to_rest(t: Tables, pair: int, shortest: float) -> bool:
     if gap > TOUCHING * size:
         return False
     speed = fastest_within(t, pair, points, 0.0, gap + 1e-8 * size)
-    if gap < -OVERLAP * size and -size < speed <= stillness(t, pair):
+    fastest = size if gap < -KEEPING * size else stillness(t, pair)
+    if gap < -OVERLAP * size and -size < speed <= fastest:
         return True
     if stays(t, pair, speed if speed > 0.0 else -speed, shortest, True):
         return True
