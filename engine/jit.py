@@ -84,6 +84,7 @@ SOURCES = (
     "manifolds.round_hull",
     "manifolds.round_round",
     "manifolds.seam",
+    "kernels.searching",
     "kernels.meeting",
     "kernels.moments",
     "kernels.neighbours",

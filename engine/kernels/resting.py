@@ -15,18 +15,12 @@ from engine.kernels.following import (
     turning,
 )
 from engine.kernels.impacts import settling_speed, stays, strike
-from engine.kernels.meeting import (
-    NOWHERE,
-    approach_at,
-    fastest_within,
-    lowest_gap,
-    notice_passing,
-    slides_over,
-)
+from engine.kernels.meeting import notice_passing, slides_over
 from engine.kernels.packing import clear_lane, is_packed, load_points
 from engine.kernels.parting import is_parting
 from engine.kernels.pose import place_pair
 from engine.kernels.rousing import rouse
+from engine.kernels.searching import NOWHERE, approach_at, fastest_within, lowest_gap
 from engine.kernels.sleeping import wake
 from engine.kernels.spring import DAMPING, PUSH, RESTLESS, frequency, softness, softness_left
 from engine.kernels.steady import let_go

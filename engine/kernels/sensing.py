@@ -4,7 +4,7 @@ What counts is where bodies stand when a tick is over. What came and went within
 as well, unless an impact in the very same part of the tick bent its path.
 """
 
-from engine.kernels.meeting import gap_at
+from engine.kernels.searching import gap_at
 from engine.kernels.touches import number_of_tick, touch
 from engine.tables import SENSING, Tables
 

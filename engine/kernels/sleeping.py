@@ -8,9 +8,9 @@ push nor a Python function acts on them. It wakes as a whole, before anything ca
 
 from engine.kernels.accelerate import act_on
 from engine.kernels.books import book_halt
-from engine.kernels.meeting import gap_at
 from engine.kernels.pose import put
 from engine.kernels.rousing import ALL
+from engine.kernels.searching import gap_at
 from engine.settings import Laws
 from engine.tables import FREE, RESTING, SLEEPING, Tables
 from engine.tables.bodies import GIVEN

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from engine import Box, Circle, Polygon, Wall, World
 from engine.kernels import aftermath, travel
-from engine.kernels.meeting import gap_at
+from engine.kernels.searching import gap_at
 from engine.tables import FREE
 
 

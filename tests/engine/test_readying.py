@@ -6,7 +6,7 @@ import pytest
 
 from engine import Circle, Polygon, Wall, World
 from engine.kernels.following import closes_faster
-from engine.kernels.meeting import approach_at
+from engine.kernels.searching import approach_at
 
 G = 9.81
 
