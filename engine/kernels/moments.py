@@ -51,14 +51,6 @@ def place_in_part(bodies: Bodies, row: int, lasted: float) -> tuple[float, float
     return bodies.start_x[row] + x, bodies.start_y[row] + y
 
 
-def place_at(bodies: Bodies, row: int, time: float) -> tuple[float, float]:
-    """Where a body is at `time` of the present part (s)."""
-    passed = time - bodies.clock[row]
-    half = passed * passed / 2.0
-    x = bodies.x[row] + bodies.vx[row] * passed + bodies.path_x[row] * half
-    return x, bodies.y[row] + bodies.vy[row] * passed + bodies.path_y[row] * half
-
-
 def turn_of(bodies: Bodies, row: int, x: float, y: float, spin: float) -> float:
     """Angular momentum (N m s) that a change of velocity (m/s) and spin (rad/s) brings."""
     turn = bodies.mass[row] * (bodies.x[row] * y - bodies.y[row] * x)

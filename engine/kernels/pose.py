@@ -4,6 +4,14 @@ from engine.kernels.elementary import cos_sin
 from engine.tables import Bodies, Corners, Tables
 
 
+def place_at(bodies: Bodies, row: int, time: float) -> tuple[float, float]:
+    """Where a body is at `time` of the present part (s)."""
+    passed = time - bodies.clock[row]
+    half = passed * passed / 2.0
+    x = bodies.x[row] + bodies.vx[row] * passed + bodies.path_x[row] * half
+    return x, bodies.y[row] + bodies.vy[row] * passed + bodies.path_y[row] * half
+
+
 def place(bodies: Bodies, corners: Corners, row: int, time: float) -> None:
     """Put the corners of a body where they are at `time` of the present part of the tick (s)."""
     if bodies.moves[row] == 0:

@@ -6,7 +6,8 @@ hinge so far that it pulls at both anchors.
 """
 
 from engine.kernels.halting import is_ground
-from engine.kernels.moments import book_lost, place_at, place_in_part
+from engine.kernels.moments import book_lost, place_in_part
+from engine.kernels.pose import place_at
 from engine.kernels.rousing import PRESENT
 from engine.linkage.geometry import POINT, STRING, TORN
 from engine.tables import Tables
