@@ -22,25 +22,16 @@ from engine.manifolds.link import is_link, nearest_neighbour
 from engine.tables import FREE, NEVER, PASSING, RESTING, SENSING, Tables
 
 
-def measure_ways(t: Tables, count: int, part: float) -> None:
-    """Bound how far any point of each body moves in the part, and how far by rotation (m)."""
+def measure_rims(t: Tables, count: int, part: float) -> None:
+    """Bound how far any point of each body moves by its rotation in the part (m)."""
     bodies = t.bodies
-    moves = bodies.moves
-    vx = bodies.vx
-    vy = bodies.vy
-    path_x = bodies.path_x
-    path_y = bodies.path_y
     for row in range(count):
-        if moves[row] == 0:
-            bodies.way[row] = bodies.rim[row] = 0.0
-            continue
-        speed = abs(vx[row]) + abs(vy[row]) + (abs(path_x[row]) + abs(path_y[row])) * part
-        swing = swing_of(t, row)
         rim = 0.0
-        if swing > 0.0:
-            rim = (abs(bodies.spin[row]) + abs(bodies.path_spin[row]) * part) * swing
+        if bodies.moves[row] == 1:
+            swing = swing_of(t, row)
+            if swing > 0.0:
+                rim = (abs(bodies.spin[row]) + abs(bodies.path_spin[row]) * part) * swing
         bodies.rim[row] = rim * part
-        bodies.way[row] = (speed + rim) * part
 
 
 def swing_of(t: Tables, row: int) -> float:

@@ -9,7 +9,7 @@ from engine.kernels.circles import meet, stillness
 from engine.kernels.pose import place_pair, velocity_at
 from engine.manifolds.any_pair import gap_between, touching_points
 from engine.manifolds.link import is_link
-from engine.tables import Tables
+from engine.tables import NEVER, Tables
 
 ZERO_GAP = 1e-10
 """Gap that counts as touching, as a share of the smaller body's reach."""
@@ -26,6 +26,12 @@ MOST_LOOKS = 1024
 
 LAST_LOOKS = 64
 """so many pieces. What turns a thousand times within a part may then touch unnoticed."""
+
+GOLDEN = 0.3819660112501051
+"""Share of an interval at which its least value is looked for, from both ends: (3 - sqrt 5)/2."""
+
+MOST_CUTS = 48
+"""So often that interval is cut, to a ten thousand millionth of itself."""
 
 NOWHERE = -1e300
 """Speed of approach of bodies that have no point to touch at (m/s)."""
@@ -110,14 +116,22 @@ def search(t: Tables, pair: int, start: float, end: float, bound: float) -> None
                 return
             gap = gap_at(t, pair, time)
     looks = 0
+    earlier = time
+    wider = gap
     while time < end:
         looks += 1
         if looks == MOST_LOOKS:
             piece = (end - time) / LAST_LOOKS
         least = piece if gap > near or not joins else piece / FINER
-        step = gap / bound if gap > least * bound else least
-        later = time + step if time + step < end else end
+        later = stride(time, gap, end, bound, least)
         after = gap_at(t, pair, later)
+        if near < gap < wider and steps_over(earlier, wider, time, gap, later, after, bound, near):
+            dips = dip(t, pair, earlier, later, bound, near)
+            if dips < NEVER:
+                later = dips
+                after = gap_at(t, pair, later)
+                time = earlier
+                gap = wider
         if after <= near:
             if after < level < gap:
                 later = root(t, pair, time, gap, later, after, level)
@@ -125,8 +139,71 @@ def search(t: Tables, pair: int, start: float, end: float, bound: float) -> None
             if speed > still:
                 meet(t, pair, later, speed)
                 return
+        earlier = time
+        wider = gap
         time = later
         gap = after
+
+
+def stride(time: float, gap: float, end: float, bound: float, least: float) -> float:
+    """How far (s) to look on from a `time` at which surfaces are a `gap` (m) apart, or as deep in
+    each other: as long as it lasts, but the `least` (s) at any rate, and until the `end`.
+    """
+    step = gap / bound if gap > least * bound else least
+    return time + step if time + step < end else end
+
+
+def steps_over(
+    earlier: float,
+    wider: float,
+    time: float,
+    gap: float,
+    later: float,
+    after: float,
+    bound: float,
+    near: float,
+) -> bool:
+    """Whether a gap that was `wider`, is no wider after the middle of three looks and may have been
+    as small as `near` between two of them, as it changes no faster than `bound` (m/s).
+    """
+    if gap > wider or gap > after:
+        return False
+    before = (wider + gap - bound * (time - earlier)) / 2.0
+    behind = (gap + after - bound * (later - time)) / 2.0
+    return before <= near or behind <= near
+
+
+def dip(t: Tables, pair: int, low: float, high: float, bound: float, near: float) -> float:
+    """A time between two others (s) at which the gap is `near` at most; `NEVER` if there is none.
+
+    The least gap is found by golden sections (Kiefer, 1953): that of a corner that passes close by
+    has one minimum between two looks.
+    """
+    one = low + GOLDEN * (high - low)
+    other = high - GOLDEN * (high - low)
+    of_one = gap_at(t, pair, one)
+    of_other = gap_at(t, pair, other)
+    for _ in range(MOST_CUTS):
+        if of_one <= near:
+            return one
+        if of_other <= near:
+            return other
+        lesser = of_one if of_one < of_other else of_other
+        if lesser - bound * (high - low) > near:
+            return NEVER
+        if of_one <= of_other:
+            high = other
+            other = one
+            of_other = of_one
+            one = low + GOLDEN * (high - low)
+            of_one = gap_at(t, pair, one)
+        else:
+            low = one
+            one = other
+            of_one = of_other
+            other = high - GOLDEN * (high - low)
+            of_other = gap_at(t, pair, other)
+    return NEVER
 
 
 def inner_of_both(t: Tables, pair: int) -> float:

@@ -1,45 +1,117 @@
 """Sensors: they notice what overlaps them, and act on nothing.
 
 What counts is where bodies stand when a tick is over. What came and went within the tick is noticed
-as well, unless an impact in the very same part of the tick bent its path.
+as well: each path that bodies take, from where something bent it to where something bends it again,
+is looked along before they leave it.
 """
 
-from engine.kernels.searching import gap_at
+import math
+
+from engine.kernels.meeting import rim_speed
+from engine.kernels.pose import velocity_at
+from engine.kernels.searching import (
+    LAST_LOOKS,
+    MOST_LOOKS,
+    dip,
+    gap_at,
+    inner_of_both,
+    steps_over,
+    stride,
+)
 from engine.kernels.touches import number_of_tick, touch
-from engine.tables import SENSING, Tables
+from engine.tables import NEVER, SENSING, Tables
 
 
-def sense_passing(t: Tables, pair_count: int, part: float) -> None:
-    """Notice which sensors and bodies meet within a part of the tick (s)."""
+def sense_all(t: Tables, pair_count: int, time: float) -> None:
+    """Notice which sensors and bodies met on paths that they leave at `time` of the part (s)."""
     for pair in range(pair_count):
         if t.pairs.state[pair] == SENSING:
-            sense(t, pair, part)
+            sense(t, pair, time)
 
 
-def sense(t: Tables, pair: int, part: float) -> None:
-    """Notice whether the surfaces of a sensor and a body meet within a part of the tick (s).
+def sense_path(t: Tables, row: int, time: float) -> None:
+    """The same of the pairs of one body, the velocity of which is about to change."""
+    if t.progress.sensing[0] == 0 or t.bodies.clock[row] == time:
+        return
+    first = t.bodies.first_link[row]
+    for link in range(first, first + t.bodies.links[row]):
+        if t.pairs.state[t.links.pair[link]] == SENSING:
+            sense(t, t.links.pair[link], time)
 
-    Steps are as long as the gap allows (conservative advancement), along the paths that both have
-    when the part begins. Who touched in the tick before is looked at when the tick ends.
+
+def sense(t: Tables, pair: int, end: float) -> None:
+    """Notice whether the surfaces of a sensor and a body come to overlap on the paths that they are
+    on until the `end` (s).
+
+    Who overlapped when the last tick was over has to leave for that, and come again.
     """
     pairs = t.pairs
-    if pairs.touched[pair] >= number_of_tick(t) - 1:
+    clock = t.bodies.clock
+    a = pairs.a[pair]
+    b = pairs.b[pair]
+    start = clock[a] if clock[a] > clock[b] else clock[b]
+    touched = pairs.touched[pair]
+    now = number_of_tick(t)
+    if touched == now or start >= end:
         return
-    fastest = (t.bodies.way[pairs.a[pair]] + t.bodies.way[pairs.b[pair]]) / part
-    gap = gap_at(t, pair, 0.0)
-    if gap > fastest * part:
-        return
-    inner = t.pieces.inner[pairs.piece_a[pair]] + t.pieces.inner[pairs.piece_b[pair]]
-    least = 0.25 * inner / fastest if fastest > 0.0 else part
-    if least < part / 64.0:
-        least = part / 64.0
-    time = 0.0
-    while gap > 0.0 and time < part:
-        step = gap / fastest if gap > least * fastest else least
-        time = time + step if time + step < part else part
-        gap = gap_at(t, pair, time)
-    if gap <= 0.0:
+    gap = gap_at(t, pair, start)
+    if gap <= 0.0 and touched < now - 1:
         touch(t, pair)
+        return
+    bound = fastest(t, pair, start, end)
+    depth = gap if gap > 0.0 else -gap
+    if depth <= bound * (end - start) and comes(t, pair, start, gap, end, bound):
+        touch(t, pair)
+
+
+def comes(t: Tables, pair: int, time: float, gap: float, end: float, bound: float) -> bool:
+    """Whether surfaces that move no faster than `bound` (m/s) come to overlap between a `time`, at
+    which they are a `gap` (m) apart, and the `end` (s).
+
+    They are searched for as impacts are, see `searching`; those that overlap have to part first.
+    """
+    piece = 0.25 * inner_of_both(t, pair) / bound
+    earlier = time
+    wider = gap
+    looks = 0
+    while time < end:
+        looks += 1
+        if looks == MOST_LOOKS:
+            piece = (end - time) / LAST_LOOKS
+        later = stride(time, gap if gap > 0.0 else -gap, end, bound, piece)
+        after = gap_at(t, pair, later)
+        if gap > 0.0:
+            if after <= 0.0:
+                return True
+            if (
+                wider > 0.0
+                and steps_over(earlier, wider, time, gap, later, after, bound, 0.0)
+                and dip(t, pair, earlier, later, bound, 0.0) < NEVER
+            ):
+                return True
+        earlier = time
+        wider = gap
+        time = later
+        gap = after
+    return False
+
+
+def fastest(t: Tables, pair: int, start: float, end: float) -> float:
+    """Bound of the speed (m/s) at which any points of a pair, placed where it is at the `start`,
+    may approach until the `end` (s).
+    """
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    ax, ay = velocity_at(bodies, a, start, bodies.here_x[a], bodies.here_y[a])
+    bx, by = velocity_at(bodies, b, start, bodies.here_x[b], bodies.here_y[b])
+    vx = bx - ax
+    vy = by - ay
+    more_x = (bodies.path_x[b] - bodies.path_x[a]) * (end - start)
+    more_y = (bodies.path_y[b] - bodies.path_y[a]) * (end - start)
+    bound = math.sqrt(vx * vx + vy * vy) + math.sqrt(more_x * more_x + more_y * more_y)
+    bound += rim_speed(t, a, t.pairs.piece_a[pair], end - bodies.clock[a])
+    return bound + rim_speed(t, b, t.pairs.piece_b[pair], end - bodies.clock[b])
 
 
 def sense_at_end(t: Tables, pair_count: int) -> None:

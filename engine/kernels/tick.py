@@ -10,6 +10,7 @@ from engine.kernels.broadphase import look_ahead
 from engine.kernels.escaping import runaway, runaways
 from engine.kernels.pairing import find_pairs
 from engine.kernels.parting import move_apart
+from engine.kernels.sensing import sense_at_end
 from engine.kernels.sleeping import fall_asleep, wake_in_time
 from engine.kernels.status import (
     CROWDED,
@@ -77,6 +78,8 @@ def step(t: Tables, laws: Laws, dt: float) -> int:
     if t.state.deep[0] > 0:
         move_apart(t, count, t.counts.pairs[0], dt)
         t.state.deep[0] -= 1
+    if t.progress.sensing[0] > 0:
+        sense_at_end(t, t.counts.pairs[0])
     if t.books.forced[0] == 1:
         book_forces(t, count, laws, dt)
     end(t, count, t.counts.pairs[0], laws.integrator, dt)

@@ -20,7 +20,7 @@ from engine.kernels.islands import (
 from engine.kernels.meeting import (
     find_meetings,
     foresee_meetings,
-    measure_ways,
+    measure_rims,
 )
 from engine.kernels.moments import forget_ways
 from engine.kernels.owing import let_owe
@@ -32,7 +32,7 @@ from engine.kernels.resting import (
     settle,
 )
 from engine.kernels.rousing import pair_waits, rouse
-from engine.kernels.sensing import sense_at_end, sense_passing
+from engine.kernels.sensing import sense_all
 from engine.kernels.status import CROWDED, DONE, ESCAPED
 from engine.kernels.steady import MOVING
 from engine.kernels.touches import collect, take_back_all, touch
@@ -151,10 +151,8 @@ def travel(
         if queued > 0 and joined > 0 and part > longest * (1.0 + 1e-9):
             empty(t, queued)
             part, held = plan(t, count, resting, dt - now, substep, now, LONGEST_WITH_IMPACTS)
-            measure_ways(t, count, part)
+            measure_rims(t, count, part)
             queued = find_meetings(t, pair_count, part)
-        if t.progress.sensing[0] > 0:
-            sense_passing(t, pair_count, part)
         status = DONE
         reached = part
         clear = queued == 0 and steady == 0
@@ -165,6 +163,8 @@ def travel(
             )
             empty(t, queued)
         t.progress.stalled[0] = t.progress.stalled[0] + 1 if reached == 0.0 else 0
+        if t.progress.sensing[0] > 0:
+            sense_all(t, pair_count, reached)
         if straight:
             drift_all(t.bodies, count, reached)
         else:
@@ -180,8 +180,6 @@ def travel(
             steady = end_steadily(t, count, steady, steadiness, dt, now, ends)
         if status != DONE and now < dt:
             return status, now
-    if t.progress.sensing[0] > 0:
-        sense_at_end(t, pair_count)
     list_settled(t, count, pair_count)
     return DONE, dt
 
@@ -190,10 +188,9 @@ def queue_meetings(
     t: Tables, count: int, pair_count: int, held: int, part: float, straight: bool
 ) -> int:
     """Queue all pairs that meet in a part of the tick (s); return how many."""
-    if t.progress.sensing[0] > 0 or not straight:
-        measure_ways(t, count, part)
     if straight:
         return foresee_meetings(t, pair_count, part)
+    measure_rims(t, count, part)
     queued = find_meetings(t, pair_count, part)
     return await_corners(t, held, part, queued)
 

@@ -124,9 +124,9 @@ class Bodies(NamedTuple):
     path_spin: Floats
     """(rad/s^2)"""
     way: Floats
-    """No point of the body moves further in the present part, unless something hits it (m)."""
+    """No point of the body was moved further when overlaps were moved apart (m)."""
     rim: Floats
-    """The same as seen from the centre of the body: by rotation alone (m)."""
+    """No point of the body moves further by rotation in the present part, unless it is hit (m)."""
     came_x: Floats
     """Velocity with which it came to its last impact (m/s)."""
     came_y: Floats

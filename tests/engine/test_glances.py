@@ -38,14 +38,14 @@ def falling(seed: int) -> World:
 
 def look_at_all(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let kernels look at every pair as each part begins, and at all of a body after an impact."""
-    measure: Any = travel.measure_ways
+    measure: Any = travel.measure_rims
 
     def forget(t: Any, count: int, part: float) -> None:
         measure(t, count, part)
         for pair in range(t.counts.pairs[0]):
             t.pairs.apart[pair] = 0.0
 
-    monkeypatch.setattr(travel, "measure_ways", forget)
+    monkeypatch.setattr(travel, "measure_rims", forget)
     monkeypatch.setattr(aftermath, "stays_apart", lambda t, pair, closer: False)
 
 
