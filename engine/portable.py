@@ -153,6 +153,7 @@ DERIVED = (
     "pairs.grouped",
     "pairs.lane",
     "pairs.waiting",
+    "pairs.slid",
     "state.loose",
 )
 """Columns that are made anew before they are read: they are not saved."""

@@ -20,6 +20,7 @@ from engine.kernels.packing import clear_lane, is_packed, load_points
 from engine.kernels.parting import is_parting
 from engine.kernels.pose import place_pair
 from engine.kernels.rousing import rouse
+from engine.kernels.rubbing import note_sliding
 from engine.kernels.searching import NOWHERE, approach_at, fastest_within, lowest_gap
 from engine.kernels.sleeping import wake
 from engine.kernels.spring import DAMPING, PUSH, RESTLESS, frequency, softness, softness_left
@@ -297,6 +298,7 @@ def prepare(
         left = JAMMED
     soft = yielding * left
     explained = settling_speed(t, pair, part)
+    note_sliding(t, pair)
     share = part / pairs.part[pair] if pairs.part[pair] > 0.0 else 0.0
     if share > 1.0:  # what stopped a motion in a short part is no load that lasts
         share = 1.0

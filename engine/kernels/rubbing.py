@@ -1,7 +1,7 @@
 """What bodies do to each other along their surfaces, besides Coulomb's kinetic friction.
 
-Static friction holds what rests up to a greater force than the one that brakes what slides; as all
-is in parts of a tick, it also acts on what slides no faster than forces explain within one.
+Static friction holds what rests up to a greater force than the one that brakes what slides, and
+what kinetic friction has brought to a stop.
 Rolling resistance (Coulomb, 1785): the normal force N acts ahead of the point of contact by a lever
 arm b, so that a torque b N opposes the rolling. The surface of a conveyor moves along the edge of a
 body that need not move itself. Two materials may have coefficients of their own.
@@ -11,6 +11,9 @@ import math
 
 from engine.settings import AS_FRICTION
 from engine.tables import Tables
+
+FULLY = 1.0 - 1e-6
+"""Share of what friction can do that counts as all: the rest is rounding."""
 
 
 def mix(t: Tables, pair: int) -> None:
@@ -104,6 +107,43 @@ def surface_speed(
         y = t.corners.world_normal_y[first]
         return speed * (x * normal_x + y * normal_y)
     return out * speed
+
+
+def note_sliding(t: Tables, pair: int) -> None:
+    """Note how fast a pair slides as a part begins, and that it does: whatever points it has were
+    borne by all the kinetic, or all the static, friction there is. A pair that is new slides if
+    that is faster than forces explain; see `Pairs.slid`.
+    """
+    pairs = t.pairs
+    contacts = t.contacts
+    pairs.slid[pair] = 0.0
+    friction = pairs.friction[pair]
+    grip = pairs.static_friction[pair]
+    if grip <= friction:
+        return
+    bears = False
+    for row in range(2 * pair, 2 * pair + pairs.points[pair]):
+        push = contacts.normal_impulse[row]
+        if push > 0.0:
+            bears = True
+            rub = abs(contacts.tangent_impulse[row])
+            brake = friction * push
+            if rub < FULLY * brake or (FULLY * rub > brake and rub < FULLY * grip * push):
+                return
+    slip = slip_of(t, pair) + pairs.belt_speed[pair]
+    if bears or outruns_forces(t, pair, slip):
+        pairs.slid[pair] = slip
+
+
+def slip_of(t: Tables, pair: int) -> float:
+    """Speed of b past a at the first point of a contact (m/s), belts apart."""
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    slip = (bodies.vy[b] - bodies.vy[a]) * t.pairs.normal_x[pair]
+    slip -= (bodies.vx[b] - bodies.vx[a]) * t.pairs.normal_y[pair]
+    slip += bodies.spin[b] * t.contacts.tangent_arm_b[2 * pair]
+    return slip - bodies.spin[a] * t.contacts.tangent_arm_a[2 * pair]
 
 
 def outruns_forces(t: Tables, pair: int, speed: float) -> bool:

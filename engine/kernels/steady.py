@@ -14,6 +14,7 @@ from engine.kernels.books import note_part
 from engine.kernels.contacts import STEADY_SWEEPS, STILL, stiffen
 from engine.kernels.following import find_points, follow, has_drifted
 from engine.kernels.halting import halt_fixed
+from engine.kernels.rubbing import slip_of
 from engine.kernels.sticking import FIXED, HELD, find_fixed
 from engine.kernels.sweeps import QUIET, warm_start
 from engine.kernels.touches import impulses_of, touch
@@ -77,7 +78,21 @@ def is_unsteady(t: Tables, pair: int) -> bool:
         return True
     if pairs.rolling_resistance[pair] > 0.0 and abs(bodies.spin[b] - bodies.spin[a]) > RESISTED:
         return True
+    if carries_away(t, a, pairs.size[pair]) or carries_away(t, b, pairs.size[pair]):
+        return True
     return is_braked(t, pair) and not is_stopped(t, pair)
+
+
+def carries_away(t: Tables, row: int, size: float) -> bool:
+    """Whether a body is immovable, and moves faster than a calm one of the given size (m) does.
+
+    It may be so large that it is calm by its own.
+    """
+    bodies = t.bodies
+    if bodies.inverse_mass[row] > 0.0:
+        return False
+    speed = abs(bodies.vx[row]) + abs(bodies.vy[row]) + abs(bodies.spin[row]) * bodies.reach[row]
+    return speed > FAST * size
 
 
 def is_braked(t: Tables, pair: int) -> bool:
@@ -92,17 +107,6 @@ def is_stopped(t: Tables, pair: int) -> bool:
     """Whether as much friction as in the last part would stop the sliding of a contact."""
     _, rub = impulses_of(t, pair)
     return abs(slip_of(t, pair)) * t.contacts.tangent_mass[2 * pair] <= abs(rub)
-
-
-def slip_of(t: Tables, pair: int) -> float:
-    """Speed of b past a at the first point of a contact (m/s)."""
-    bodies = t.bodies
-    a = t.pairs.a[pair]
-    b = t.pairs.b[pair]
-    slip = (bodies.vy[b] - bodies.vy[a]) * t.pairs.normal_x[pair]
-    slip -= (bodies.vx[b] - bodies.vx[a]) * t.pairs.normal_y[pair]
-    slip += bodies.spin[b] * t.contacts.tangent_arm_b[2 * pair]
-    return slip - bodies.spin[a] * t.contacts.tangent_arm_a[2 * pair]
 
 
 def slides_on(t: Tables, resting: int) -> bool:
@@ -318,6 +322,7 @@ def take_up(t: Tables, pair: int, part: float) -> None:
     if t.pairs.steady[pair] == 0:
         t.pairs.carried[pair] *= part / before
     t.pairs.steady[pair] = 1
+    t.pairs.slid[pair] = 0.0
     t.pairs.part[pair] = part
 
 

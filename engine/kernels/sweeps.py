@@ -4,7 +4,7 @@ Each sweep brings the impulses nearer to those that suit all (projected Gauss-Se
 "Iterative dynamics with temporal coherence", 2005). They start from those of the part before.
 """
 
-from engine.kernels.rubbing import outruns_forces, resist_rolling
+from engine.kernels.rubbing import resist_rolling
 from engine.tables import Tables
 
 QUIET, STIRRED, WILD = 0, 1, 2
@@ -60,16 +60,18 @@ def warm_start(t: Tables, resting: int) -> None:
 def sweep(t: Tables, resting: int, calm: float, backwards: bool) -> int:
     """Solve each resting pair once, along the normal, then against the sliding and the rolling.
 
-    What slides faster than static friction can stop is braked by kinetic friction. Sweeps go to and
-    fro in turn: what comes first gives way more than what comes last, and heaps would lean.
+    What slides is braked by kinetic friction; if that stops it, static friction may hold it. Sweeps
+    go to and fro in turn: what comes first gives way more than what comes last, and heaps would
+    lean.
 
     Args:
         t: the tables.
         resting: number of pairs.
-        calm: change of a normal velocity that does not count (reaches a second).
+        calm: change of a velocity that does not count (reaches a second).
         backwards: whether to begin with the last pair.
 
-    Returns how normal velocities changed: `QUIET`, `STIRRED` or `WILD`.
+    Returns how velocities changed: `QUIET`, `STIRRED` or, along a normal, `WILD`. What friction
+    changes is not borne along normals before the next sweep, or a column would lean back instead.
     """
     bodies = t.bodies
     pairs = t.pairs
@@ -139,7 +141,9 @@ def sweep(t: Tables, resting: int, calm: float, backwards: bool) -> int:
                     found = WILD
         if grip > 0.0:
             sliding += pairs.belt_speed[pair]
-            slips = grip > friction
+            slips = grip > friction and pairs.slid[pair] != 0.0
+            if slips:
+                grip = friction
             for row in range(first, end):
                 arm_a = tangent_arm_a[row]
                 arm_b = tangent_arm_b[row]
@@ -158,14 +162,13 @@ def sweep(t: Tables, resting: int, calm: float, backwards: bool) -> int:
                 sliding += mass * change
                 spin_a -= turn_a * arm_a * change
                 spin_b += turn_b * arm_b * change
-            if slips and outruns_forces(t, pair, sliding + spin_b * arm_b - spin_a * arm_a):
-                for row in range(first, end):
-                    before = tangent_impulse[row]
-                    change = before * (friction / grip - 1.0)
-                    tangent_impulse[row] = before + change
-                    rub += change
-                    spin_a -= turn_a * tangent_arm_a[row] * change
-                    spin_b += turn_b * tangent_arm_b[row] * change
+                most = still * tangent_mass[row]
+                if found == QUIET and (change > most or -change > most):
+                    found = STIRRED
+            if slips and pairs.slid[pair] * (sliding + spin_b * arm_b - spin_a * arm_a) < 0.0:
+                pairs.slid[pair] = 0.0  # it came to a stop, and would turn back
+                if found == QUIET:
+                    found = STIRRED
         if pairs.rolling_resistance[pair] > 0.0 and turn_a + turn_b > 0.0:
             change = resist_rolling(t, pair, spin_b - spin_a, turn_a + turn_b)
             spin_a -= turn_a * change

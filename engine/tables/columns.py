@@ -11,10 +11,10 @@ LINE = 8
 SIDE_BY_SIDE = {
     "Pairs": (
         "piece_a", "piece_b", "restitution", "friction", "static_friction",
-        "rolling_resistance", "belt_speed", "rolling_torque", "normal_x", "normal_y", "points",
-        "booked_rolling", "lane", "acting", "carried", "part", "steady", "seen_x", "seen_y",
-        "seen_angle_a", "seen_angle_b", "drift", "touched", "touched_before", "given_x",
-        "given_y", "hit_x", "hit_y", "bounces",
+        "rolling_resistance", "belt_speed", "rolling_torque", "slid", "normal_x", "normal_y",
+        "points", "booked_rolling", "lane", "acting", "carried", "part", "steady", "seen_x",
+        "seen_y", "seen_angle_a", "seen_angle_b", "drift", "touched", "touched_before",
+        "given_x", "given_y", "hit_x", "hit_y", "bounces",
     ),
     "Contacts": (
         "feature", "gap", "normal_arm_a", "tangent_arm_a", "normal_arm_b", "tangent_arm_b",

@@ -43,6 +43,9 @@ class Pairs(NamedTuple):
     """Of the surface of b past that of a along the tangent, if the bodies stood still (m/s)."""
     rolling_torque: Floats
     """With which the resting contact resisted rolling, on b, in its last part (N m)."""
+    slid: Floats
+    """How fast b slid past a along the tangent when a part began in which kinetic friction acts
+    (m/s); 0: static friction does, as they held to each other."""
     size: Floats
     """Reach of the smaller body (m), the scale of all tolerances."""
     state: Ints

@@ -61,6 +61,29 @@ def test_a_moving_platform_carries_a_box_by_friction() -> None:
     assert platform.position == pytest.approx((3 * v, -0.5), rel=1e-12)
 
 
+@pytest.mark.parametrize("pull", [0.5, 0.9, 1.1, 5.0])
+@pytest.mark.parametrize("length", [4.0, 900.0])
+def test_a_column_slips_on_a_platform_that_sets_off_and_does_not_fall(
+    pull: float, length: float
+) -> None:
+    """Coulomb: it is carried at mu g at most; as mu < w/h, that does not tip it. This holds from
+    the first tick on, however slow the platform is by its own measure.
+    """
+    mu, half = 0.2, 0.25
+    world = World(gravity=(0, -G), integrator="velocity-verlet")
+    platform = world.add(
+        Polygon.box(length, 0.1), kind="kinematic", position=(0, -0.05), friction=mu
+    )
+    column = world.add(Polygon.box(2 * half, 2.0), position=(0, 1.0), friction=mu)
+    run(world, 0.25)
+    for tick in range(1, 31):
+        platform.velocity = (pull * mu * G * tick / 60, 0)
+        world.step()
+        carried = min(pull, 1.0) * mu * G * tick / 60
+        assert column.vx == pytest.approx(carried, abs=0.04 * mu * G / 60)
+        assert abs(column.angle) < 1e-3
+
+
 def test_a_lift_carries_what_stands_on_it() -> None:
     world = World(gravity=(0, -G))
     lift = world.add(Polygon.box(4, 0.2), kind="kinematic", position=(0, -0.1), velocity=(0, 1.5))
