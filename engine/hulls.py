@@ -15,6 +15,12 @@ Hull = list[Vector]
 GRAZE = 1e-12
 """Share of a side by which it is longer for rays: none slips through between two sides."""
 
+FLAT = 1e-9
+"""A side that leans by less than this (rad) faces what touches it as a whole."""
+
+ROUNDING = 1e-15
+"""Error of corners that were placed in the world, as a share of where they are."""
+
 
 def nearest_on_hull(hull: Hull, p: Vector) -> tuple[float, Vector]:
     """Signed distance (m) of a point from a sharp hull, negative inside, and the normal there.
@@ -133,19 +139,31 @@ def touching_point(hull: Hull, radius: float, other: Hull, normal: Vector) -> Ve
 
     Between two flat sides: the middle of where they overlap. On the surface of the first.
     """
-    height, low, high = farthest_side(hull, normal)
-    _, other_low, other_high = farthest_side(other, Vector(-normal.x, -normal.y))
+    base = hull[0]  # so that how far from the origin they are does not matter
+    rounding = ROUNDING * (abs(base.x) + abs(base.y))
+    own, its = seen_from(base, hull), seen_from(base, other)
+    height, low, high = farthest_side(own, normal, rounding)
+    _, other_low, other_high = farthest_side(its, Vector(-normal.x, -normal.y), rounding)
     low, high = max(low, -other_high), min(high, -other_low)
     along, out = (low + high) / 2.0, height + radius
-    return Vector(out * normal.x - along * normal.y, out * normal.y + along * normal.x)
+    return Vector(
+        base.x + out * normal.x - along * normal.y, base.y + out * normal.y + along * normal.x
+    )
 
 
-def farthest_side(hull: Hull, normal: Vector) -> tuple[float, float, float]:
-    """How far a hull reaches along a unit vector, and from where to where across it (m)."""
+def seen_from(base: Vector, hull: Hull) -> Hull:
+    """Corners of a hull as they lie from a point (m)."""
+    return [Vector(p.x - base.x, p.y - base.y) for p in hull]
+
+
+def farthest_side(hull: Hull, normal: Vector, rounding: float) -> tuple[float, float, float]:
+    """How far a hull, whose corners have errors of `rounding` (m), reaches along a unit vector,
+    and from where to where across it (m).
+    """
     heights = [p.x * normal.x + p.y * normal.y for p in hull]
     highest = max(heights)
-    size = max(abs(p.x) + abs(p.y) for p in hull)
-    level = highest - 1e-9 * size
+    size = max(abs(p.x - hull[0].x) + abs(p.y - hull[0].y) for p in hull)
+    level = highest - FLAT * size - rounding
     across = [
         p.y * normal.x - p.x * normal.y
         for p, height in zip(hull, heights, strict=True)

@@ -301,3 +301,20 @@ def test_a_cast_polygon_touches_there_and_not_before(
 def test_bad_questions_are_refused(ask: Callable[[World], Any], sentence: str) -> None:
     with pytest.raises((TypeError, ValueError), match=sentence):
         ask(room()[0])
+
+
+@pytest.mark.parametrize("far", [0.0, 1e3, 1e6])
+@pytest.mark.parametrize("size", [1e-3, 1.0])
+def test_a_cast_shape_touches_with_its_corner_however_far_from_the_origin(
+    far: float, size: float
+) -> None:
+    """A side that leans by 1e-4 was taken for flat at 1 km: its middle is no point of contact."""
+    world = World()
+    world.add(Polygon.box(2 * size, 2 * size), kind="static", position=(far, -far))
+    lean = 1e-4
+    hit = world.cast_shape(Polygon.box(size, size), (far, 3 * size - far), (far, -far), angle=lean)
+    assert hit is not None
+    corner = size * ROOT * math.sin(math.pi / 4 - lean)  # the left one of the lower two
+    rounding = 1e-9 * size + 1e-9 * far / 1e6
+    assert hit.point.x - far == pytest.approx(-corner, abs=rounding)
+    assert hit.point.y + far == pytest.approx(size, abs=rounding)
