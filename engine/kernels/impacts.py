@@ -24,7 +24,7 @@ from engine.kernels.impulses import (
 from engine.kernels.joined_impacts import exchange_with_joints
 from engine.kernels.pose import advance, place_pair
 from engine.kernels.rubbing import belt_speed
-from engine.kernels.sensing import sense_path
+from engine.kernels.sensing import sense_before
 from engine.kernels.sleeping import wake
 from engine.kernels.touches import touch
 from engine.linkage.tally import is_joined
@@ -64,6 +64,7 @@ def strike(
     b = t.pairs.b[pair]
     if bodies.asleep[a] != bodies.asleep[b]:
         wake(t, a if bodies.asleep[a] == 1 else b)
+    sense_before(t, pair, time)
     come(t, a, time)
     come(t, b, time)
     place_pair(t, pair, time)
@@ -95,7 +96,6 @@ def strike(
 def come(t: Tables, row: int, time: float) -> None:
     """Move a body to where it is struck at `time` of the part (s); note with what velocity."""
     bodies = t.bodies
-    sense_path(t, row, time)
     advance(t, row, time)
     bodies.came_x[row] = bodies.vx[row]
     bodies.came_y[row] = bodies.vy[row]

@@ -19,6 +19,7 @@ from engine.kernels.searching import (
     stride,
 )
 from engine.kernels.touches import number_of_tick, touch
+from engine.linkage.tally import is_joined
 from engine.tables import NEVER, SENSING, Tables
 
 
@@ -29,10 +30,19 @@ def sense_all(t: Tables, pair_count: int, time: float) -> None:
             sense(t, pair, time)
 
 
-def sense_path(t: Tables, row: int, time: float) -> None:
-    """The same of the pairs of one body, the velocity of which is about to change."""
-    if t.progress.sensing[0] == 0 or t.bodies.clock[row] == time:
+def sense_before(t: Tables, pair: int, time: float) -> None:
+    """The same of the pairs of two bodies that are about to collide, and of what joints move."""
+    if t.progress.sensing[0] == 0:
         return
+    if is_joined(t, pair):
+        sense_all(t, t.counts.pairs[0], time)
+    else:
+        sense_path(t, t.pairs.a[pair], time)
+        sense_path(t, t.pairs.b[pair], time)
+
+
+def sense_path(t: Tables, row: int, time: float) -> None:
+    """The same of the pairs of one body."""
     first = t.bodies.first_link[row]
     for link in range(first, first + t.bodies.links[row]):
         if t.pairs.state[t.links.pair[link]] == SENSING:

@@ -2,7 +2,6 @@
 
 from engine.kernels.books import book_jolt
 from engine.kernels.pose import advance
-from engine.kernels.sensing import sense_path
 from engine.tables import Tables
 
 
@@ -17,7 +16,6 @@ def jolt(t: Tables, row: int, x: float, y: float, spin: float) -> None:
 
 def jolt_at(t: Tables, row: int, time: float, x: float, y: float, spin: float) -> None:
     """The same at `time` of the present part (s)."""
-    sense_path(t, row, time)
     advance(t, row, time)
     jolt(t, row, x, y, spin)
 

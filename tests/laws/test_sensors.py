@@ -161,3 +161,23 @@ def test_where_overlaps_are_moved_apart_counts_where_bodies_end(shape: Shape) ->
         told = [c.phase for c in world.contacts if c.sensor and c.phase != "end"]
         right = max(corner.x for corner in body.vertices)
         assert bool(told) == (right >= 0.0)
+
+
+@pytest.mark.parametrize("sensors", [0, 1])
+def test_what_joints_hold_is_struck_alike_among_sensors(sensors: int) -> None:
+    """The wall gives the two all their momentum: looking for what they sense in the middle of an
+    impact wrote over its normal.
+    """
+    world = World()
+    world.add(Wall((0, -3), (0, 3)), restitution=1.0)
+    one = world.add(Box(0.5, 0.3, rounding=0.05), position=(-0.6, 0), angle=0.7, velocity=(9, 1))
+    other = world.add(Capsule(0.5, 0.1), position=(-1.6, 0.2), velocity=(9, 1))
+    world.join(one, other, Pin((-1.1, 0.1)))
+    for i in range(4 * sensors):
+        world.add(Capsule(0.4, 0.1), kind="static", position=(-1.9 + 0.5 * i, 0.5), sensor=True)
+    given = [hit for _ in range(10) for hit in world.step()]
+    assert given
+    assert sum(hit.impulse.y for hit in given) == pytest.approx(0.0, abs=1e-12)
+    assert world.momentum.y == pytest.approx(one.mass + other.mass, abs=1e-12)
+    change = world.momentum.x - 9.0 * (one.mass + other.mass)
+    assert sum(hit.impulse.x for hit in given) == pytest.approx(change, abs=1e-12)
