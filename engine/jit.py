@@ -75,6 +75,7 @@ SOURCES = (
     "linkage.seeking",
     "linkage.skyline",
     "linkage.springs",
+    "linkage.stalling",
     "linkage.tally",
     "linkage.velocities",
     "manifolds.any_pair",

@@ -44,11 +44,7 @@ def let_go(t: Tables, share: float, spent: bool) -> bool:
         row = coordinate_row(t, brace)
         if row >= 0 and equations.solved[row] == 1:
             joint = t.braces.joint[brace]
-            least, most = bounds(t, joint, joints.effort[joint] * share * joints.part[joint])
-            if spent and (joints.motor[joint] == 1 or is_put_back(t, joint, row)):
-                given = noted_impulse(t, joint, row - t.braces.first[brace])
-                least -= given
-                most -= given
+            least, most = bounds_left(t, brace, row, share, spent)
             after = equations.impulse[row] + equations.unknown[row]
             if after < least or after > most:
                 bound = least if after < least else most
@@ -56,6 +52,17 @@ def let_go(t: Tables, share: float, spent: bool) -> bool:
                 joints.mode[joint] = overstrained(t, joint)
                 changed = True
     return changed
+
+
+def bounds_left(t: Tables, brace: int, row: int, share: float, spent: bool) -> tuple[float, float]:
+    """Least and greatest impulse that the coordinate of a joint may have now; see `take`."""
+    joints = t.joints
+    joint = t.braces.joint[brace]
+    least, most = bounds(t, joint, joints.effort[joint] * share * joints.part[joint])
+    if spent and (joints.motor[joint] == 1 or is_put_back(t, joint, row)):
+        given = noted_impulse(t, joint, row - t.braces.first[brace])
+        return least - given, most - given
+    return least, most
 
 
 def add(t: Tables, row: int, change: float) -> None:

@@ -81,11 +81,22 @@ def next_mode(t: Tables, joint: int, row: int, part: float, slack: float) -> int
     if value < joints.low[joint] + (left if left < 0.0 else 0.0) - slack:
         return AT_LOW
     if mode == STRAINED:
-        ahead = value - t.equations.start[row] - joints.speed[joint] * part
-        impulse = t.equations.impulse[row]
-        if (impulse > 0.0 and ahead > slack) or (impulse < 0.0 and ahead < -slack):
+        ahead = miss_of_motor(t, joint, row, part)
+        if abs(ahead) > slack and is_driven_away(t.equations.impulse[row], ahead):
             return DRIVEN
     return mode
+
+
+def is_driven_away(impulse: float, ahead: float) -> bool:
+    """Whether a strained motor drives what is `ahead` of its goal still further away from it, or
+    does nothing.
+    """
+    return impulse >= 0.0 if ahead > 0.0 else impulse <= 0.0
+
+
+def miss_of_motor(t: Tables, joint: int, row: int, part: float) -> float:
+    """By how much the coordinate is ahead of where its motor wants it at the end of the part."""
+    return t.equations.value[row] - t.equations.start[row] - t.joints.speed[joint] * part
 
 
 def miss_of_mode(t: Tables, joint: int, row: int, part: float) -> float:
@@ -94,7 +105,7 @@ def miss_of_mode(t: Tables, joint: int, row: int, part: float) -> float:
     mode = joints.mode[joint]
     value = t.equations.value[row]
     if mode == DRIVEN:
-        return value - t.equations.start[row] - joints.speed[joint] * part
+        return miss_of_motor(t, joint, row, part)
     left = left_beyond(t, joint, row, part)
     if t.braces.sizes[7] > 0:  # what comes to its limit stops at once
         start = t.equations.start[row]
@@ -178,13 +189,16 @@ def is_put_back(t: Tables, joint: int, row: int) -> bool:
 
 
 def bounds(t: Tables, joint: int, effort: float) -> tuple[float, float]:
-    """Least and greatest impulse of the coordinate; `effort` is the most that its motor gives."""
+    """Least and greatest impulse of the coordinate; `effort` is the most that its motor gives.
+
+    At a limit, a motor that drives away from it does all that it can.
+    """
     mode = t.joints.mode[joint]
     motor = effort if t.joints.motor[joint] == 1 else 0.0
     if mode == AT_HIGH:
-        return -1e300, motor
+        return -1e300, -motor if t.joints.speed[joint] < 0.0 else motor
     if mode == AT_LOW:
-        return -motor, 1e300
+        return motor if t.joints.speed[joint] > 0.0 else -motor, 1e300
     if mode in (DRIVEN, STRAINED):
         return -motor, motor
     return -1e300, 1e300

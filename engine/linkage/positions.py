@@ -18,7 +18,7 @@ from engine.linkage.modes import bounds, coordinate_row, first_mode, note_start,
 from engine.linkage.moments import book_braces
 from engine.linkage.seeking import STRIDE, find_impulses, renew, seek_straight
 from engine.tables import Tables
-from engine.tables.linkage import FREE_WAY
+from engine.tables.linkage import FREE_WAY, STRAINED
 
 
 def brace(t: Tables, part: float) -> None:
@@ -213,9 +213,10 @@ def warm_start(t: Tables, part: float) -> None:
             note_start(t, joint, row)
             joints.mode[joint] = first_mode(t, joint)
             least, most = bounds(t, joint, joints.effort[joint] * part / 2.0)
+            strained = joints.mode[joint] == STRAINED
             if joints.mode[joint] == FREE_WAY:
                 equations.impulse[row] = 0.0
-            elif equations.impulse[row] < least:
+            elif equations.impulse[row] < least or (strained and equations.impulse[row] < 0.0):
                 equations.impulse[row] = least
-            elif equations.impulse[row] > most:
+            elif equations.impulse[row] > most or (strained and equations.impulse[row] > 0.0):
                 equations.impulse[row] = most

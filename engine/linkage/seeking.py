@@ -19,6 +19,7 @@ from engine.linkage.modes import (
 )
 from engine.linkage.skyline import assemble, factorise, solve
 from engine.linkage.springs import miss, tune
+from engine.linkage.stalling import stall
 from engine.linkage.throwing import throws
 from engine.linkage.velocities import rate_of
 from engine.tables import Tables
@@ -104,7 +105,11 @@ def seek(t: Tables, part: float, most: float) -> tuple[float, bool]:
                 changes += 1
                 fresh = True
             elif worst <= TIGHT:
-                break
+                if changes >= MOST_CHANGES or not stalls(t, part):
+                    break
+                changes += 1
+                fresh = True
+                continue
         if step == 0:
             failed = worst / part
             if worst > most:
@@ -121,6 +126,19 @@ def seek(t: Tables, part: float, most: float) -> tuple[float, bool]:
             renew(t, part)
             changes += 1
     return failed, worst <= FAILED and not turns_over(t, part) and not throws(t, part)
+
+
+def stalls(t: Tables, part: float) -> bool:
+    """Let a motor stall if one has to, and what holds against it hold to first order; return
+    whether there was one.
+    """
+    if t.braces.sizes[6] == 0 or not stall(t, part, 0.5, False):
+        return False
+    renew(t, part)
+    predict(t, part)
+    find_misses(t, part)
+    solve(t)
+    return not take(t, 0.5, False, False)
 
 
 def seek_straight(t: Tables, part: float) -> float:
@@ -141,9 +159,13 @@ def seek_straight(t: Tables, part: float) -> float:
         if step == 0:
             failed = worst / part
         solve(t)
-        if not take(t, 0.5, False, not last):
+        if take(t, 0.5, False, not last):
+            renew(t, part)
+            continue
+        predict(t, part)
+        find_misses(t, part)
+        if last or not stalls(t, part):
             break
-        renew(t, part)
     return failed
 
 

@@ -23,6 +23,10 @@ LIVELIER = 0.02
 """Share of their kinetic energy that bodies gain at most, but for what turns, and gaps that close:
 parts are so short that motion which is followed well needs less."""
 
+ROUNDING = 1e-12
+"""Share of the energy that each impulse would give by itself: impulses that balance each other on
+what stands still do no work but by rounding."""
+
 
 def throws(t: Tables, part: float) -> bool:
     """Whether joints that only hold, trees of hinges apart, do so in a part (s)."""
@@ -49,7 +53,10 @@ def throws(t: Tables, part: float) -> bool:
         coordinate = coordinate_row(t, brace)
         first = t.braces.first[brace]
         for row in range(first, first + t.braces.rows[brace]):
-            done = t.equations.impulse[row] * (way_of(t, 2 * row) + way_of(t, 2 * row + 1))
+            impulse = t.equations.impulse[row]
+            done = impulse * (way_of(t, 2 * row) + way_of(t, 2 * row + 1))
+            if t.equations.mass[row] > 0.0:
+                most += ROUNDING * impulse * impulse / t.equations.mass[row]
             if row == coordinate and drives(t, joint, row):
                 most += LIVELIER * abs(done)
                 continue

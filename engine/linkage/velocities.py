@@ -1,11 +1,12 @@
 """Joints at the end of each part: the impulses for which velocities obey the constraints."""
 
 from engine.linkage.geometry import aim, measure, place_nodes
-from engine.linkage.impulses import add_up, lend, noted_impulse, solve_for, take
+from engine.linkage.impulses import add_up, bounds_left, lend, noted_impulse, solve_for, take
 from engine.linkage.limb_velocities import keep_limb_ends, prepare_limbs
-from engine.linkage.modes import coordinate_row, note_end
+from engine.linkage.modes import TIGHT, coordinate_row, is_driven_away, note_end, scale_of
 from engine.linkage.moments import book_braces
 from engine.linkage.skyline import assemble, factorise, solve
+from engine.linkage.stalling import stall
 from engine.tables import Tables
 from engine.tables.linkage import DRIVEN, ELASTIC, STRAINED
 
@@ -29,13 +30,15 @@ def prepare_ease(t: Tables, part: float, done: float) -> None:
         joints.part[joint] = part * done
         if coordinate_row(t, brace) >= 0:
             note_end(t, joint, coordinate_row(t, brace), found)
-        if joints.mode[joint] == ELASTIC:
+        if joints.mode[joint] in (ELASTIC, STRAINED):
             row = coordinate_row(t, brace)
             given = noted_impulse(t, joint, row - t.braces.first[brace])
-            t.equations.impulse[row] = given * (2.0 * done - 1.0)
-            lend(t, row, t.equations.impulse[row])
-        elif joints.mode[joint] == STRAINED:
-            joints.mode[joint] = DRIVEN
+            left = given * (2.0 * done - 1.0)
+            if joints.mode[joint] == STRAINED:
+                least, most = bounds_left(t, brace, row, 1.0, True)
+                left = most if given > 0.0 else least
+            t.equations.impulse[row] = left
+            lend(t, row, left)
     renew(t)
     t.braces.sizes[5] = 1
     deliver_ends(t)
@@ -54,11 +57,38 @@ def ease(t: Tables) -> float:
         if step == 0:
             failed = worst
         solve(t)
-        if not take(t, 1.0, True, step < MOST_CHANGES - 1):
+        if not take(t, 1.0, True, step < MOST_CHANGES - 1) and not drive_anew(t):
             break
         renew(t)
     deliver_ends(t)
     return failed
+
+
+def drive_anew(t: Tables) -> bool:
+    """Let strained motors keep their speed that hold back what is too slow, or push what is too
+    fast, and let others stall; return whether there are any.
+
+    What the motor of another joint wanted before it was strained had the former do so.
+    """
+    joints = t.joints
+    changed = False
+    part = 0.0
+    for brace in range(t.braces.sizes[0]):
+        joint = t.braces.joint[brace]
+        if joints.mode[joint] == DRIVEN:
+            part = joints.part[joint]
+        elif joints.mode[joint] == STRAINED:
+            row = coordinate_row(t, brace)
+            ahead = rate_of(t, 2 * row) + rate_of(t, 2 * row + 1) - joints.speed[joint]
+            effort = t.equations.impulse[row] + noted_impulse(t, joint, row - t.braces.first[brace])
+            slack = TIGHT * scale_of(t, row, joint)
+            if abs(ahead) * joints.part[joint] > slack and is_driven_away(effort, ahead):
+                joints.mode[joint] = DRIVEN
+                changed = True
+    if changed or part == 0.0:
+        return changed
+    find_rates(t, True)
+    return stall(t, part, 1.0, True)
 
 
 def keep_ends(t: Tables, part: float, done: float, steady: bool) -> None:
