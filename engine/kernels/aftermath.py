@@ -9,8 +9,8 @@ from engine.kernels.following import closes_faster, turning
 from engine.kernels.impacts import explained_speed
 from engine.kernels.meeting import find_meeting, notice_passing, swing_of
 from engine.kernels.pose import place_pair
-from engine.kernels.resting import OVERLAP
 from engine.kernels.searching import approach_of, fastest_within
+from engine.kernels.touches import OVERLAP
 from engine.linkage.answers import changed, has_braces
 from engine.linkage.limb_impacts import tree_at
 from engine.manifolds.any_pair import touching_points

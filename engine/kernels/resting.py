@@ -25,7 +25,7 @@ from engine.kernels.searching import NOWHERE, approach_at, fastest_within, lowes
 from engine.kernels.sleeping import wake
 from engine.kernels.spring import DAMPING, PUSH, RESTLESS, frequency, softness, softness_left
 from engine.kernels.steady import let_go
-from engine.kernels.touches import collect_last_part, leave, touch
+from engine.kernels.touches import OVERLAP, collect_last_part, leave, touch
 from engine.linkage.tally import is_joined, joints_act
 from engine.manifolds.any_pair import touching_points
 from engine.tables import FREE, IMPACTS_AT_ONCE, LATER, NEVER, RESTING, Tables
@@ -36,10 +36,6 @@ TOUCHING = 1e-5
 KEEPING = 5e-3
 """Gap beyond which a resting pair has parted, in the same unit; what overlaps by more, and neither
 parts nor closes by a reach a second, rests: no bounce takes it out."""
-
-OVERLAP = 1e-3
-"""Overlap that has to be pushed apart whatever the motion, in the same unit; points of a resting
-pair whose gap is no wider touch, if they approach."""
 
 JAMMED = 0.1
 """Share of its softness that a contact of joined bodies keeps under any load: where joints do not

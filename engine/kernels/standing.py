@@ -12,10 +12,10 @@ forces.
 
 from engine.kernels.bearing import NEITHER, bear, bears, hand_down, share_of, upper
 from engine.kernels.following import find_points, follow, has_drifted
-from engine.kernels.resting import OVERLAP, TOUCHING
+from engine.kernels.resting import TOUCHING
 from engine.kernels.steady import LONG
 from engine.kernels.sticking import cluster_of, island_of
-from engine.kernels.touches import number_of_tick
+from engine.kernels.touches import OVERLAP, number_of_tick
 from engine.tables import Tables
 
 TAKEN = -1

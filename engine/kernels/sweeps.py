@@ -10,6 +10,10 @@ from engine.tables import Tables
 QUIET, STIRRED, WILD = 0, 1, 2
 """What a sweep found: no change that counts, some, at least one that is wild."""
 
+LESS_CALM = 10.0
+"""Friction may still change velocities by so many times as much as what acts along normals: heaps
+at rest pass ever less of it on, for long."""
+
 WILDLY = 0.2
 """A change of a contact's velocity by more is wild, in reaches of the smaller body a second."""
 
@@ -162,7 +166,7 @@ def sweep(t: Tables, resting: int, calm: float, backwards: bool) -> int:
                 sliding += mass * change
                 spin_a -= turn_a * arm_a * change
                 spin_b += turn_b * arm_b * change
-                most = still * tangent_mass[row]
+                most = LESS_CALM * still * tangent_mass[row]
                 if found == QUIET and (change > most or -change > most):
                     found = STIRRED
             if slips and pairs.slid[pair] * (sliding + spin_b * arm_b - spin_a * arm_a) < 0.0:

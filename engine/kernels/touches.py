@@ -10,6 +10,10 @@ added to that of the tick. What acts in the last part is added by who reads it (
 
 from engine.tables import RESTING, Tables
 
+OVERLAP = 1e-3
+"""Overlap that has to be pushed apart whatever the motion, in the same unit; points of a resting
+pair whose gap is no wider touch, if they approach."""
+
 
 def number_of_tick(t: Tables) -> int:
     """Number of the present tick."""

@@ -26,7 +26,6 @@ from engine.kernels.moments import forget_ways
 from engine.kernels.owing import let_owe
 from engine.kernels.pose import advance_all, drift_all
 from engine.kernels.resting import (
-    OVERLAP,
     count_holds,
     hold,
     settle,
@@ -35,7 +34,7 @@ from engine.kernels.rousing import pair_waits, rouse
 from engine.kernels.sensing import sense_all
 from engine.kernels.status import CROWDED, DONE, ESCAPED
 from engine.kernels.steady import MOVING
-from engine.kernels.touches import collect, take_back_all, touch
+from engine.kernels.touches import OVERLAP, collect, take_back_all, touch
 from engine.linkage.limb_sweeps import book_even
 from engine.linkage.pace import (
     LONGEST,

@@ -1,0 +1,129 @@
+"""What two bodies give each other where they meet.
+
+The impulse along the normal is the exact answer for a single impact (thesis, eq. 40, with e for
+restitution): P = -(1 + e) v_n / (1/m_a + 1/m_b + (r_a x n)^2/I_a + (r_b x n)^2/I_b). Two points of
+one pair that touch at the same instant (a side that lands flat) share it so that both leave with e
+times their approach, or one of them does and the other is not pressed in. Friction follows as an
+impulse against the sliding, at most mu times P, or as much as stops it where static friction holds;
+as it comes second and never reverses the sliding, no impact gains energy.
+"""
+
+from engine.kernels.circles import stillness
+from engine.kernels.impulses import (
+    WEDGED,
+    approach,
+    change_of,
+    give,
+    report,
+    response,
+    slip,
+    split,
+)
+from engine.kernels.rubbing import belt_speed
+from engine.tables import Tables
+
+
+def exchange(t: Tables, pair: int, one: int, other: int, bounce: float, time: float) -> None:
+    """Give both bodies their impulses, along the normal, then against the sliding; report them."""
+    x = t.touch.x[one]
+    y = t.touch.y[one]
+    speed = approach(t, pair, one)
+    normal_x = t.touch.normal_x[0]
+    normal_y = t.touch.normal_y[0]
+    total = bounce * speed / response(t, pair, x, y, normal_x, normal_y)
+    if other >= 0:
+        there = approach(t, pair, other)
+        v2 = change_of(there, bounce)
+        share, total = share_of_two(t, pair, one, other, bounce * speed, v2)
+        x += share * (t.touch.x[other] - x)
+        y += share * (t.touch.y[other] - y)
+        speed += share * (there - speed)
+    before = slip(t, pair, x, y) + belt_speed(t, pair, normal_x, normal_y)
+    press(t, pair, x, y, total, speed)
+    along = rub(t, pair, x, y, total, before)
+    report(t, pair, x, y, total, along, speed, time)
+
+
+def press(t: Tables, pair: int, x: float, y: float, total: float, speed: float) -> None:
+    """Give both bodies the impulse `total` (N s) along the normal at (x, y), where they approach at
+    `speed` (m/s).
+    """
+    normal_x = t.touch.normal_x[0]
+    normal_y = t.touch.normal_y[0]
+    stiffness = response(t, pair, x, y, normal_x, normal_y)
+    t.books.restitution_heat[0] += total * (speed - total * stiffness / 2.0)
+    give(t, pair, x, y, total * normal_x, total * normal_y)
+
+
+def rub(t: Tables, pair: int, x: float, y: float, total: float, before: float) -> float:
+    """Give both bodies the impulse of friction at (x, y), where the one along the normal was
+    `total` (N s) and they slid at a speed `before` it (m/s); return it (N s).
+    """
+    normal_x = t.touch.normal_x[0]
+    normal_y = t.touch.normal_y[0]
+    belt = belt_speed(t, pair, normal_x, normal_y)
+    sliding = slip(t, pair, x, y) + belt
+    stiffness = response(t, pair, x, y, -normal_y, normal_x)
+    along = -sliding / stiffness
+    most = t.pairs.friction[pair] * total
+    if (along > most or along < -most) and not sticks(t, pair, before, sliding, stiffness, total):
+        along = most if along > 0.0 else -most
+    t.books.friction_heat[0] -= along * (sliding + along * stiffness / 2.0)
+    t.books.wall_work[0] -= along * belt
+    give(t, pair, x, y, -along * normal_y, along * normal_x)
+    return along
+
+
+def sticks(
+    t: Tables, pair: int, before: float, after: float, stiffness: float, total: float
+) -> bool:
+    """Whether static friction holds a pair for which kinetic friction is too weak (Routh, "Dynamics
+    of a System of Rigid Bodies", 1905, art. 187).
+
+    As the normal impulse grows, the sliding changes by a fixed rate, which friction of either kind
+    opposes. It must have come to an end by kinetic friction, or not have been there; then static
+    friction holds if it is no weaker than the rate.
+
+    Args:
+        t: the tables.
+        pair: which pair.
+        before: sliding before the normal impulse (m/s).
+        after: sliding after it, without friction (m/s).
+        stiffness: change of the sliding by a unit impulse along it (1/kg).
+        total: the normal impulse (N s).
+    """
+    grip = t.pairs.static_friction[pair]
+    friction = t.pairs.friction[pair]
+    driven = after - before
+    if grip <= friction or abs(driven) > grip * stiffness * total:
+        return False
+    with_it = driven if before > 0.0 else -driven
+    return abs(before) <= stillness(t, pair) or (
+        abs(before) + with_it <= friction * stiffness * total
+    )
+
+
+def share_of_two(
+    t: Tables, pair: int, one: int, other: int, v1: float, v2: float
+) -> tuple[float, float]:
+    """Solve for both points at once, of which speeds of approach are to change by v1 and v2 (m/s):
+    share of the second and impulse of both along the normal.
+
+    The share is between 0 and 1. Where one of them would have to pull, the other does it alone.
+    """
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    nx = t.touch.normal_x[0]
+    ny = t.touch.normal_y[0]
+    a_1 = (t.touch.x[one] - bodies.here_x[a]) * ny - (t.touch.y[one] - bodies.here_y[a]) * nx
+    b_1 = (t.touch.x[one] - bodies.here_x[b]) * ny - (t.touch.y[one] - bodies.here_y[b]) * nx
+    a_2 = (t.touch.x[other] - bodies.here_x[a]) * ny - (t.touch.y[other] - bodies.here_y[a]) * nx
+    b_2 = (t.touch.x[other] - bodies.here_x[b]) * ny - (t.touch.y[other] - bodies.here_y[b]) * nx
+    mass = bodies.inverse_mass[a] + bodies.inverse_mass[b]
+    turn_a = bodies.inverse_inertia[a]
+    turn_b = bodies.inverse_inertia[b]
+    k11 = mass + a_1 * a_1 * turn_a + b_1 * b_1 * turn_b
+    k22 = mass + a_2 * a_2 * turn_a + b_2 * b_2 * turn_b
+    k12 = mass + a_1 * a_2 * turn_a + b_1 * b_2 * turn_b
+    return split(k11, k12, k22, v1, v2, WEDGED)
