@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from engine import filters, kinds, materials, validate
 from engine.collision import Collision
+from engine.enrol import inertness
 from engine.forces import Force, Push, Torque, components
 from engine.inputs import noted, noted_only
 from engine.pair_rows import measure_anew
@@ -181,8 +182,8 @@ class Body:
         row, new = self._dynamic("mass"), validate.positive(value, "mass")
         bodies = self._world.bodies
         inertia = bodies.inertia[row] * (new / bodies.mass[row])
-        bodies.mass[row], bodies.inverse_mass[row] = new, 1.0 / new
-        bodies.inertia[row], bodies.inverse_inertia[row] = inertia, 1.0 / inertia
+        for name, value in inertness(self.shape, new, inertia).items():
+            getattr(bodies, name)[row] = value
         measure_anew(self._world.tables, row)
 
     @property
@@ -419,13 +420,13 @@ class Body:
     def apply_impulse(self, impulse: Any, at: Any = None) -> None:
         """Change the momentum at once by `impulse` (N s, world), at a point (m, world)."""
         row, given = self._dynamic("impulse"), validate.vector(impulse, "impulse")
+        centre = self.position
+        point = centre if at is None else validate.vector(at, "at")
+        turn = (point.x - centre.x) * given.y - (point.y - centre.y) * given.x
         bodies = self._world.bodies
         bodies.vx[row] += bodies.inverse_mass[row] * given.x
         bodies.vy[row] += bodies.inverse_mass[row] * given.y
-        if at is not None:
-            point, centre = validate.vector(at, "at"), self.position
-            turn = (point.x - centre.x) * given.y - (point.y - centre.y) * given.x
-            bodies.spin[row] += bodies.inverse_inertia[row] * turn
+        bodies.spin[row] += bodies.inverse_inertia[row] * turn
 
     def _row(self) -> int:
         return self._world.row(self)

@@ -35,7 +35,7 @@ def run(
     collisions: bool,
 ) -> Tracks:
     """Step many times; see `World.run`."""
-    ticks, dt = validate.whole(ticks, "ticks", 0), validate.positive(dt, "dt")
+    ticks, dt = validate.whole(ticks, "ticks", 0), validate.tick(dt)
     names = _names(record)
     if _needs_python(world):
         return _step_by_step(world, ticks, dt, names, collisions)
@@ -178,7 +178,12 @@ def state(world: "World") -> Any:
 
 def set_state(world: "World", given: Any) -> None:
     """Set many bodies at once; see `World.set_state`."""
-    wanted = np.asarray(given, dtype=np.float64)
+    try:
+        wanted = np.asarray(given, dtype=np.float64)
+    except (TypeError, ValueError, OverflowError):
+        raise TypeError(
+            f"a state must be an array of numbers, not {validate.shown(given)}"
+        ) from None
     if wanted.ndim != 2 or wanted.shape[1] != len(STATE):
         raise ValueError(f"a state has rows of {', '.join(STATE)}, not the shape {wanted.shape}")
     if not np.isfinite(wanted).all():

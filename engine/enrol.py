@@ -30,17 +30,16 @@ def initial_values(shape: Shape, given: dict[str, Any]) -> dict[str, float]:
             restitution, friction, static_friction, rolling_resistance, surface_speed, material,
             gravity_scale, sensor, category, mask and group.
     """
-    kind = given["kind"]
+    kind = "dynamic" if given["kind"] is None else given["kind"]
+    if not isinstance(kind, str) or kind not in KINDS:
+        raise ValueError(f"kind must be one of {', '.join(KINDS)}, not {validate.shown(kind)}")
     if isinstance(shape, Barrier):
         _refuse(given, ("mass", "position", "angle", "velocity", "spin", "inertia"), WALL)
-        if kind not in (None, "static"):
+        if given["kind"] not in (None, "static"):
             raise ValueError(f"{WALL} kind {kind!r}")
         kind = "static"
     elif isinstance(shape, Particle) and (given["inertia"] is not None or given["spin"]):
         raise ValueError("a particle never rotates: it takes no inertia and no spin")
-    kind = "dynamic" if kind is None else kind
-    if kind not in KINDS:
-        raise ValueError(f"kind must be one of {', '.join(KINDS)}, not {kind!r}")
     if kind != "dynamic":
         _refuse(given, ("mass", "inertia"), f"a {kind} body has infinite mass: it takes no")
     if kind == "static":
@@ -154,6 +153,15 @@ def _inertness(
         return ENDLESS
     kg = 1.0 if mass is None else validate.positive(mass, "mass")
     turning = shape.inertia(kg) if inertia is None else validate.positive(inertia, "inertia")
+    return inertness(shape, kg, turning)
+
+
+def inertness(shape: Shape, kg: float, turning: float) -> dict[str, float]:
+    """Mass (kg), moment of inertia (kg m^2) and their inverses of a dynamic body, as columns.
+
+    Raises:
+        ValueError: if they are beyond what can be computed.
+    """
     turns = turning <= HUGE or isinstance(shape, Particle)
     if not (1.0 / HUGE <= kg <= HUGE and turning >= 1.0 / HUGE and turns):
         raise ValueError(

@@ -135,7 +135,7 @@ class Pulley:
         object.__setattr__(self, "over_a", validate.vector(self.over_a, "over_a"))
         object.__setattr__(self, "over_b", validate.vector(self.over_b, "over_b"))
         _check_anchors(self)
-        _check(self, "ratio", validate.positive)
+        object.__setattr__(self, "ratio", validate.positive(self.ratio, "ratio"))
         _check(self, "length", validate.positive)
 
 
@@ -161,8 +161,7 @@ def _check_coordinate(spec: Any, effort: str) -> None:
     """Check limits and motor."""
     _check(spec, "limits", lambda value, _: check_limits(value))
     _check(spec, "motor_speed", validate.finite)
-    if getattr(spec, effort) != math.inf:
-        _check(spec, effort, validate.positive)
+    object.__setattr__(spec, effort, validate.positive_or_endless(getattr(spec, effort), effort))
 
 
 def check_limits(value: Any) -> tuple[float, float]:

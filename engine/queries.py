@@ -166,7 +166,8 @@ class Choice:
     def nearest_to(self, point: Any, within: Any) -> Nearest | None:
         """The body whose surface is nearest to a point; None if none is `within` (m) reach."""
         p = validate.vector(point, "point")
-        far = math.inf if within == math.inf else validate.not_negative(within, "within")
+        endless = validate.is_endless(within)
+        far = math.inf if endless else validate.not_negative(within, "within")
         best: Nearest | None = None
         pieces = self.pieces() if far == math.inf else self.pieces_near(p, p, far)
         for piece in pieces:

@@ -133,7 +133,7 @@ class Recording:
             recording.inputs.append(dict(each))
         for span in validate.listed(data["spans"], "the spans of a recording"):
             dt, ticks = validate.listed(span, "a span of a recording", 2)
-            dt = validate.positive(dt, "the tick of a span")
+            dt = validate.tick(dt, "the tick of a span")
             recording.spans.append([dt, validate.whole(ticks, "the ticks of a span", 1)])
         for each in validate.listed(data["digests"], "the digests of a recording"):
             validate.keys(each, ("tick", "digest"), "a digest of a recording")

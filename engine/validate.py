@@ -4,11 +4,25 @@ import math
 from collections.abc import Iterable
 from itertools import islice
 from numbers import Real
+from operator import index
 from typing import Any, TypeVar
 
 from engine.vector import Vector
 
 F = TypeVar("F")
+
+MOST_SHOWN = 200
+"""Characters of a value that a sentence shows."""
+
+MOST_SECONDS = 1e100
+"""Ticks are at most as long, and at least as long as the inverse: what is divided by them, or by
+their squares, stays within the range of numbers."""
+
+
+def shown(value: Any) -> str:
+    """How a value reads in a sentence: on one line, its beginning if it is long."""
+    words = " ".join(repr(value).split())
+    return words if len(words) <= MOST_SHOWN else f"{words[:MOST_SHOWN]} ..."
 
 
 def finite(value: Any, name: str) -> float:
@@ -21,7 +35,7 @@ def finite(value: Any, name: str) -> float:
     if type(value) is float and -math.inf < value < math.inf:  # what most are, at once
         return value
     if isinstance(value, bool) or not isinstance(value, Real):
-        raise TypeError(f"{name} must be a number, not {value!r}")
+        raise TypeError(f"{name} must be a number, not {shown(value)}")
     try:
         number = float(value)
     except OverflowError:
@@ -47,6 +61,26 @@ def not_negative(value: Any, name: str) -> float:
     return number
 
 
+def positive_or_endless(value: Any, name: str) -> float:
+    """Return `value` as a float; refuse what is neither greater than zero nor infinite."""
+    return value if is_endless(value) else positive(value, name)
+
+
+def is_endless(value: Any) -> bool:
+    """Whether a value is the number infinity."""
+    return isinstance(value, float) and value == math.inf
+
+
+def tick(value: Any, name: str = "dt") -> float:
+    """Return the length of a tick (s) as a float; refuse what cannot be computed with."""
+    number = positive(value, name)
+    if not 1.0 / MOST_SECONDS <= number <= MOST_SECONDS:
+        raise ValueError(
+            f"{name} must be between {1.0 / MOST_SECONDS} and {MOST_SECONDS} s, not {number}"
+        )
+    return number
+
+
 def fraction(value: Any, name: str) -> float:
     """Return `value` as a float; refuse what is not between 0 and 1."""
     number = finite(value, name)
@@ -57,9 +91,12 @@ def fraction(value: Any, name: str) -> float:
 
 def whole(value: Any, name: str, at_least: int, at_most: int | None = None) -> int:
     """Return `value` as an int; refuse what is no whole number, too small or too large."""
-    if isinstance(value, bool) or not hasattr(value, "__index__"):
-        raise TypeError(f"{name} must be a whole number, not {value!r}")
-    number = int(value.__index__())
+    try:
+        number = index(value)
+    except TypeError:
+        number = None
+    if number is None or isinstance(value, bool):
+        raise TypeError(f"{name} must be a whole number, not {shown(value)}")
     if number < at_least:
         raise ValueError(f"{name} must be at least {at_least}, not {number}")
     if at_most is not None and number > at_most:
@@ -71,8 +108,10 @@ def vector(value: Any, name: str) -> Vector:
     """Return `value`, a pair of finite numbers, as a `Vector`."""
     pair = value
     if type(value) is not Vector and type(value) is not tuple:
-        if isinstance(value, str) or not isinstance(value, Iterable):
-            raise TypeError(f"{name} must be a pair of numbers, not {value!r}")
+        if isinstance(value, str | bytes | dict | set | frozenset) or not isinstance(
+            value, Iterable
+        ):
+            raise TypeError(f"{name} must be a pair of numbers, not {shown(value)}")
         pair = list(value)
     if len(pair) != 2:
         raise ValueError(f"{name} must be a pair of numbers, not {len(pair)} of them")
@@ -82,7 +121,7 @@ def vector(value: Any, name: str) -> Vector:
 def keys(data: Any, wanted: Iterable[str], what: str) -> None:
     """Refuse what is no dictionary with exactly these keys."""
     if not isinstance(data, dict):
-        raise TypeError(f"{what} must be a dictionary, not {data!r:.50}")
+        raise TypeError(f"{what} must be a dictionary, not {shown(data):.50}")
     for key in wanted:
         if key not in data:
             raise ValueError(f"{what} must have {key!r}")
@@ -94,7 +133,7 @@ def keys(data: Any, wanted: Iterable[str], what: str) -> None:
 def listed(data: Any, what: str, length: int | None = None) -> list[Any]:
     """Return `data`, a list, of this length if one is given."""
     if not isinstance(data, list):
-        raise TypeError(f"{what} must be a list, not {data!r:.50}")
+        raise TypeError(f"{what} must be a list, not {shown(data):.50}")
     if length is not None and len(data) != length:
         raise ValueError(f"{what} must have {length} rows, not {len(data)}")
     return data
@@ -103,13 +142,13 @@ def listed(data: Any, what: str, length: int | None = None) -> list[Any]:
 def version(value: Any, known: int, what: str) -> None:
     """Refuse saved data of another version."""
     if isinstance(value, bool) or value != known:
-        raise ValueError(f"{what} must have the format {known}, not {value!r:.50}")
+        raise ValueError(f"{what} must have the format {known}, not {shown(value):.50}")
 
 
 def sequence(value: Any, name: str, at_most: int) -> list[Any]:
     """Return what can be gone through as a list; refuse strings and more than so many."""
     if isinstance(value, str) or not isinstance(value, Iterable):
-        raise TypeError(f"{name} must be a sequence, not {value!r}")
+        raise TypeError(f"{name} must be a sequence, not {shown(value)}")
     listed = list(islice(value, at_most + 1))
     if len(listed) > at_most:
         raise ValueError(f"{name} must be at most {at_most}, but there are more")
@@ -119,26 +158,26 @@ def sequence(value: Any, name: str, at_most: int) -> list[Any]:
 def vectors(value: Any, name: str, at_most: int) -> list[Vector]:
     """Return a sequence of pairs of finite numbers as a list of `Vector`."""
     if isinstance(value, str) or not isinstance(value, Iterable):
-        raise TypeError(f"{name} must be pairs of numbers, not {value!r}")
+        raise TypeError(f"{name} must be pairs of numbers, not {shown(value)}")
     return [vector(v, f"{name}[{i}]") for i, v in enumerate(sequence(value, name, at_most))]
 
 
 def text(value: Any, name: str) -> str:
     """Return `value`, words; refuse all else."""
     if not isinstance(value, str):
-        raise TypeError(f"{name} must be text, not {value!r}")
+        raise TypeError(f"{name} must be text, not {shown(value)}")
     return value
 
 
 def function_or_none(value: F, name: str) -> F:
     """Return `value`, something that can be called, or None; refuse all else."""
     if value is not None and not callable(value):
-        raise TypeError(f"{name} must be a function or None, not {value!r}")
+        raise TypeError(f"{name} must be a function or None, not {shown(value)}")
     return value
 
 
 def truth(value: Any, name: str) -> bool:
     """Return `value`, True or False; refuse all else."""
     if not isinstance(value, bool):
-        raise TypeError(f"{name} must be True or False, not {value!r}")
+        raise TypeError(f"{name} must be True or False, not {shown(value)}")
     return value

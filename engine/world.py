@@ -79,7 +79,7 @@ class World:
         Raises:
             Diverged: when a body left the range of numbers; the world is then of no more use.
         """
-        dt = validate.positive(dt, "dt")
+        dt = validate.tick(dt)
         store = self.store
         if store.before is not None:
             store.close_books()

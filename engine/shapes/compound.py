@@ -48,7 +48,7 @@ class Compound:
         if not given:
             raise ValueError("a compound needs at least one part")
         weights = _weights(given, masses)
-        total = math.fsum(weights)
+        total = math.fsum(weights) if sum(weights) < math.inf else math.inf
         if not 0.0 < total < math.inf:
             raise ValueError(f"a compound must have an area that can be computed, not {total}")
         pairs = list(zip(given, weights, strict=True))

@@ -12,9 +12,11 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from engine import (
+    Body,
     Box,
     Capsule,
     Chain,
@@ -282,3 +284,46 @@ def test_what_is_normalised_is_normalised_as_documented() -> None:
     clockwise = Polygon.concave([(0, 0), (0, 3), (1, 3), (1, 1), (2, 1), (2, 0)])
     assert clockwise.area == pytest.approx(4)
     assert Chain([(0, 0), (0, 0), (1, 0)]).points == ((0, 0), (1, 0))
+
+
+REFUSED: list[tuple[str, Callable[[Body], Any]]] = [
+    ("an impulse at no point", lambda body: body.apply_impulse((1, 2), at=(math.nan, 0))),
+    ("an impulse at three numbers", lambda body: body.apply_impulse((1, 2), at=(1, 2, 3))),
+    ("a mass too small to be divided by", lambda body: setattr(body, "mass", 5e-324)),
+    ("a mass with an inertia too small", lambda body: setattr(body, "mass", 1e-101)),
+    ("a mass too large", lambda body: setattr(body, "mass", 1e101)),
+    ("a category of arrays", lambda body: setattr(body, "category", np.array([1, 2]))),
+    ("a mask of a type", lambda body: setattr(body, "mask", int)),
+    ("a position of a set", lambda body: setattr(body, "position", {1, 2})),
+    ("a velocity of bytes", lambda body: setattr(body, "velocity", b"ab")),
+    ("a kind of an array", lambda body: body._world.add(Circle(1), kind=np.array([1, 2]))),
+    ("a matrix for a mass", lambda body: setattr(body, "mass", np.eye(2))),
+    ("a tick too short", lambda body: body._world.step(5e-324)),
+    ("a tick too long", lambda body: body._world.run(2, dt=1e200)),
+    ("a state of text", lambda body: body._world.set_state("state")),
+    ("a state too large for a float", lambda body: body._world.set_state([[10**400] * 7])),
+    ("nearest within an array", lambda body: body._world.nearest((0, 0), within=np.ones(2))),
+    ("a torque of None", lambda body: Pin((0, 0), motor_speed=1.0, max_torque=None)),
+    ("a ratio of None", lambda body: Pulley((0, 9), (1, 9), ratio=None)),
+    (
+        "masses beyond all sums",
+        lambda body: body._world.add(Compound([Circle(1), (Circle(1), (2, 0))], [1e308, 1e308])),
+    ),
+]
+
+
+@pytest.mark.parametrize(("name", "call"), REFUSED, ids=[name for name, _ in REFUSED])
+def test_what_is_refused_changes_nothing(name: str, call: Callable[[Body], Any]) -> None:
+    """Velocities were changed before the point of attack was looked at, masses before they were
+    divided by.
+    """
+    del name
+    world = World(gravity=(0, -9.81))
+    body = world.add(Box(1, 2), position=(3, 4), velocity=(1, 2), spin=3)
+    world.step()
+    before = world.digest()
+    with pytest.raises((ValueError, TypeError)) as refused:
+        call(body)
+    assert 10 < len(str(refused.value)) < 400
+    assert "\n" not in str(refused.value)
+    assert world.digest() == before
