@@ -193,28 +193,77 @@ def height_above(t: Tables, wall: int, x: float, y: float) -> float:
     )
 
 
+def middle_of(t: Tables, piece: int) -> tuple[float, float]:
+    """A point within a placed piece: its body's centre, or the mean of its corners if it is one of
+    several (m, world).
+    """
+    body = t.pieces.body[piece]
+    if t.bodies.pieces[body] == 1:
+        return t.bodies.here_x[body], t.bodies.here_y[body]
+    first = t.pieces.first[piece]
+    count = t.pieces.corners[piece]
+    x = 0.0
+    y = 0.0
+    for row in range(first, first + count):
+        x += t.corners.world_x[row]
+        y += t.corners.world_y[row]
+    return x / count, y / count
+
+
 def notice_passing(t: Tables, pair: int) -> None:
-    """Let through a one-sided wall what comes from behind; stop it again once it is through."""
+    """Let through a one-sided wall what comes from behind; stop it again once it is through.
+
+    Each piece of a body does so by itself: one may still be behind when the body's centre is not.
+    """
     if t.progress.one_sided[0] == 0:
         return
     pairs = t.pairs
     wall = pairs.piece_a[pair]
-    body = pairs.b[pair]
+    piece = pairs.piece_b[pair]
     if t.pieces.one_sided[wall] == 0:
         wall = pairs.piece_b[pair]
-        body = pairs.a[pair]
+        piece = pairs.piece_a[pair]
         if t.pieces.one_sided[wall] == 0:
             return
     if pairs.state[pair] == SENSING:
         return
+    body = t.pieces.body[piece]
     place(t.bodies, t.corners, body, t.bodies.clock[body])
-    x = t.bodies.here_x[body]
-    y = t.bodies.here_y[body]
+    x, y = middle_of(t, piece)
     above = height_above(t, wall, x, y)
     if above < 0.0 and is_link(t.pieces, wall) and touching_points(t, pair) == 0:
         above = height_above(t, nearest_neighbour(t, wall, x, y), x, y)
-    if above < 0.0:
+    if above < 0.0 or (pairs.state[pair] != RESTING and passes_beside(t, piece, wall)):
         pairs.state[pair] = PASSING
         pairs.apart[pair] = 0.0
     elif pairs.state[pair] == PASSING and gap_between(t, pair) > 0.0:
         pairs.state[pair] = FREE
+
+
+def passes_beside(t: Tables, piece: int, link: int) -> bool:
+    """Whether a piece of a body is half through a link of a chain next to another: what is behind
+    the one comes through the other as well.
+    """
+    before = t.pieces.before[link]
+    after = t.pieces.after[link]
+    if before + after == 0:
+        return False
+    first = t.bodies.first_piece[t.pieces.body[link]] - 1
+    body = t.pieces.body[piece]
+    start = t.bodies.first_link[body]
+    for at in range(start, start + t.bodies.links[body]):
+        pair = t.links.pair[at]
+        if t.pairs.state[pair] == PASSING:
+            one = t.pairs.piece_a[pair]
+            other = t.pairs.piece_b[pair]
+            beside = one + other - piece
+            if (
+                (one == piece or other == piece)
+                and (
+                    (before > 0 and beside == first + before)
+                    or (after > 0 and beside == first + after)
+                )
+                and gap_between(t, pair) <= 0.0
+            ):
+                return True
+    return False

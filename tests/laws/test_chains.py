@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from engine import Body, Box, Capsule, Chain, Circle, Polygon, Shape, Wall, World
+from engine import Body, Box, Capsule, Chain, Circle, Compound, Polygon, Shape, Wall, World
 
 SLIDERS: list[Shape] = [
     Box(1.0, 0.5),
@@ -158,3 +158,58 @@ def test_a_one_sided_chain_lets_in_and_not_out(shape: Shape) -> None:
     for _ in range(300):
         world.step()
     assert body.y > 0.2
+
+
+@pytest.mark.parametrize(
+    "shape",
+    [
+        Compound([(Circle(0.2), (0, -0.8)), (Circle(0.2), (0, 0.8)), (Box(0.1, 1.6), (0, 0))]),
+        Polygon([(-0.5, -0.6), (0.5, -0.6), (0.1, 0.6)]),
+        Box(0.3, 1.4),
+    ],
+)
+@pytest.mark.parametrize("drift", [-0.6, 0.45, 1.0])
+@pytest.mark.parametrize("link", [0.37, 8.0])
+def test_what_comes_from_behind_a_one_sided_chain_feels_nothing(
+    shape: Shape, drift: float, link: float
+) -> None:
+    """Newton's first law, for every piece of a body and over every joint of the chain."""
+    world = World(gravity=(0, -9.81), integrator="velocity-verlet")
+    half = math.ceil(4 / link)
+    world.add(Chain([(i * link + 0.1, 0) for i in range(-half, half + 1)], one_sided=True))
+    body = world.add(
+        shape, position=(0, -2), velocity=(drift, 8.0), spin=0.3, friction=0.5, restitution=0.5
+    )
+    for tick in range(1, 49):  # until its lowest point is above the chain
+        assert world.step() == []
+        at = tick / 60
+        assert body.position == pytest.approx(
+            (drift * at, -2 + 8 * at - 9.81 * at**2 / 2), abs=1e-12
+        )
+        assert body.spin == 0.3
+
+
+@pytest.mark.parametrize(
+    ("link", "drift", "rise", "angle"),
+    [
+        (0.37, -0.35, 0.5, 2.9),
+        (1.5, 0.25, 0.4, -0.9),
+        (0.8, -0.25, 0.8, 1.0),
+        (1.5, 0.28, 0.7, -1.3),
+    ],
+)
+@pytest.mark.parametrize("low", [-0.2, -0.6])
+def test_what_drifts_through_a_one_sided_chain_passes_its_joints(
+    link: float, drift: float, rise: float, angle: float, low: float
+) -> None:
+    """Newton's first law, while its tail comes through one link and its flank through the next."""
+    world = World()
+    half = math.ceil(6 / link)
+    world.add(Chain([(i * link + 0.1, 0) for i in range(-half, half + 1)], one_sided=True))
+    body = world.add(
+        Polygon([(-0.8, low), (0.8, low), (0.1, 0.6)]), position=(0, -1.2), angle=angle,
+        velocity=(drift, rise),
+    )  # fmt: skip
+    for _ in range(math.ceil(144 / rise)):
+        assert world.step() == []
+        assert body.velocity == (drift, rise)
