@@ -72,11 +72,14 @@ def replay(
 
 def _do(world: World, entry: dict[str, Any], decode: "Decoder", functions: "Functions") -> None:
     """Carry out an input."""
-    args = validate.listed(entry["args"], "the arguments of an input")
+    what = "the arguments of an input"
+    args, given = validate.listed(entry["args"], what), entry["given"]
+    if not isinstance(given, dict):
+        raise TypeError(f"what an input was given must be a dictionary, not {given!r:.50}")
     if entry["call"] == "restore":
         from engine.portable import refill
 
-        refill(world, args[0], functions)
+        refill(world, validate.listed(args, what, 1)[0], functions)
         return
     target = world if entry["on"] is None else decode(entry["on"])
     call = getattr(type(target), str(entry["call"]), None)
@@ -84,9 +87,9 @@ def _do(world: World, entry: dict[str, Any], decode: "Decoder", functions: "Func
     if not is_input(setter or call):
         raise ValueError(f"no input is called {entry['call']!r:.50}")
     values = decode(args)
-    named = {name: decode(value) for name, value in entry["given"].items()}
+    named = {name: decode(value) for name, value in given.items()}
     if setter is not None:
-        setattr(target, entry["call"], *values)
+        setattr(target, entry["call"], validate.listed(list(values), what, 1)[0])
     else:
         getattr(target, entry["call"])(*values, **named)
 

@@ -48,17 +48,19 @@ class Compound:
         if not given:
             raise ValueError("a compound needs at least one part")
         weights = _weights(given, masses)
-        total = math.fsum(weights) if sum(weights) < math.inf else math.inf
+        total = _sum(weights)
         if not 0.0 < total < math.inf:
             raise ValueError(f"a compound must have an area that can be computed, not {total}")
         pairs = list(zip(given, weights, strict=True))
-        x = math.fsum(weight * at.x for (_, at, _), weight in pairs) / total
-        y = math.fsum(weight * at.y for (_, at, _), weight in pairs) / total
+        x = _sum(weight * at.x for (_, at, _), weight in pairs) / total
+        y = _sum(weight * at.y for (_, at, _), weight in pairs) / total
         own = tuple((shape, Vector(at.x - x, at.y - y), angle) for shape, at, angle in given)
-        turning = math.fsum(
+        turning = _sum(
             weight * (shape.inertia(1.0) + at.x * at.x + at.y * at.y)
             for (shape, at, _), weight in zip(own, weights, strict=True)
         )
+        if not turning / total < math.inf:
+            raise ValueError("a compound must have a moment of inertia that can be computed")
         object.__setattr__(self, "parts", own)
         object.__setattr__(self, "masses", None if masses is None else tuple(weights))
         object.__setattr__(self, "area", math.fsum(shape.area for shape, _, _ in own))
@@ -77,6 +79,12 @@ class Compound:
     def inertia(self, mass: float) -> float:
         """Mass moment of inertia about the centre of mass (kg m^2)."""
         return mass * self.gyration
+
+
+def _sum(values: Iterable[float]) -> float:
+    """The sum, rounded once; infinite if no number can hold it."""
+    each = list(values)
+    return math.fsum(each) if math.isfinite(sum(each)) else math.inf
 
 
 JOINABLE = (Circle, Capsule, Polygon, Box, Concave, Compound)

@@ -305,6 +305,7 @@ REFUSED: list[tuple[str, Callable[[Body], Any]]] = [
     ("nearest within an array", lambda body: body._world.nearest((0, 0), within=np.ones(2))),
     ("a torque of None", lambda body: Pin((0, 0), motor_speed=1.0, max_torque=None)),
     ("a ratio of None", lambda body: Pulley((0, 9), (1, 9), ratio=None)),
+    ("offsets beyond all sums", lambda body: Compound([Circle(1), (Circle(1), (1e308, 1e308))])),
     (
         "masses beyond all sums",
         lambda body: body._world.add(Compound([Circle(1), (Circle(1), (2, 0))], [1e308, 1e308])),

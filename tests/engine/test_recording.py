@@ -234,6 +234,8 @@ def test_other_differences_are_found() -> None:
         ("tick of an input must be at least 0", lambda d: d["inputs"][0].update(tick=-1)),
         ("no input is called 'step'", lambda d: d["inputs"][0].update(call="step")),
         ("no input is called '__class__'", lambda d: d["inputs"][0].update(call="__class__")),
+        ("an input was given must be a dict", lambda d: d["inputs"][0].update(given=1.5)),
+        ("must have 1 rows, not 0", lambda d: d["inputs"][0].update(call="velocity", args=[])),
         ("tick of a span must be greater", lambda d: d["spans"][0].__setitem__(0, -1)),
         ("ticks of a span must be at least", lambda d: d["spans"][0].__setitem__(1, 0)),
         ("a span .* must have 2", lambda d: d["spans"][0].pop()),
