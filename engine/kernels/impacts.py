@@ -13,7 +13,7 @@ from engine.kernels.landing import exchange_at_once
 from engine.kernels.pose import advance, place_pair
 from engine.kernels.sensing import sense_before
 from engine.kernels.sleeping import wake
-from engine.kernels.touches import touch
+from engine.kernels.touches import note_impact
 from engine.linkage.tally import is_joined
 from engine.manifolds.any_pair import touching_points
 from engine.tables import FREE, RESTING, Bodies, Tables
@@ -74,7 +74,7 @@ def strike(
     t.pairs.struck[pair] = now + time
     t.pairs.apart[pair] = 0.0
     if rests and t.pairs.state[pair] != RESTING:
-        touch(t, pair)  # where joints jam, nothing was given
+        note_impact(t, pair, t.touch.x[one], t.touch.y[one], 0.0, 0.0)  # joints may have left none
         t.pairs.points[pair] = 0
     t.pairs.state[pair] = RESTING if rests else FREE
     return rests

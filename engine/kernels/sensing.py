@@ -8,7 +8,6 @@ is looked along before they leave it.
 import math
 
 from engine.kernels.meeting import rim_speed
-from engine.kernels.pose import velocity_at
 from engine.kernels.searching import (
     LAST_LOOKS,
     MOST_LOOKS,
@@ -53,24 +52,32 @@ def sense(t: Tables, pair: int, end: float) -> None:
     """Notice whether the surfaces of a sensor and a body come to overlap on the paths that they are
     on until the `end` (s).
 
-    Who overlapped when the last tick was over has to leave for that, and come again.
+    Who overlapped when the last tick was over has to leave for that, and come again. `Pairs.apart`
+    says how far they have to move for either.
     """
     pairs = t.pairs
     clock = t.bodies.clock
     a = pairs.a[pair]
     b = pairs.b[pair]
     start = clock[a] if clock[a] > clock[b] else clock[b]
+    if start >= end:
+        return
+    bound = fastest(t, pair, start, end)
+    way = bound * (end - start)
+    left = pairs.apart[pair] - way
+    pairs.apart[pair] = left if left > 0.0 else 0.0
     touched = pairs.touched[pair]
     now = number_of_tick(t)
-    if touched == now or start >= end:
+    if left > 0.0 or touched == now:
         return
     gap = gap_at(t, pair, start)
     if gap <= 0.0 and touched < now - 1:
         touch(t, pair)
         return
-    bound = fastest(t, pair, start, end)
     depth = gap if gap > 0.0 else -gap
-    if depth <= bound * (end - start) and comes(t, pair, start, gap, end, bound):
+    if depth > way:
+        pairs.apart[pair] = depth - way
+    elif comes(t, pair, start, gap, end, bound):
         touch(t, pair)
 
 
@@ -107,16 +114,16 @@ def comes(t: Tables, pair: int, time: float, gap: float, end: float, bound: floa
 
 
 def fastest(t: Tables, pair: int, start: float, end: float) -> float:
-    """Bound of the speed (m/s) at which any points of a pair, placed where it is at the `start`,
-    may approach until the `end` (s).
+    """Bound of the speed (m/s) at which any points of a pair may approach from the `start` to the
+    `end` (s).
     """
     bodies = t.bodies
     a = t.pairs.a[pair]
     b = t.pairs.b[pair]
-    ax, ay = velocity_at(bodies, a, start, bodies.here_x[a], bodies.here_y[a])
-    bx, by = velocity_at(bodies, b, start, bodies.here_x[b], bodies.here_y[b])
-    vx = bx - ax
-    vy = by - ay
+    from_a = start - bodies.clock[a]
+    from_b = start - bodies.clock[b]
+    vx = bodies.vx[b] + bodies.path_x[b] * from_b - bodies.vx[a] - bodies.path_x[a] * from_a
+    vy = bodies.vy[b] + bodies.path_y[b] * from_b - bodies.vy[a] - bodies.path_y[a] * from_a
     more_x = (bodies.path_x[b] - bodies.path_x[a]) * (end - start)
     more_y = (bodies.path_y[b] - bodies.path_y[a]) * (end - start)
     bound = math.sqrt(vx * vx + vy * vy) + math.sqrt(more_x * more_x + more_y * more_y)
@@ -126,6 +133,10 @@ def fastest(t: Tables, pair: int, start: float, end: float) -> float:
 
 def sense_at_end(t: Tables, pair_count: int) -> None:
     """Note which sensors overlap with bodies where these stand when the tick is over."""
+    before = number_of_tick(t) - 1
     for pair in range(pair_count):
-        if t.pairs.state[pair] == SENSING and gap_at(t, pair, 0.0) <= 0.0:
+        if t.pairs.state[pair] != SENSING:
+            continue
+        clear = t.pairs.apart[pair] > 0.0 and t.pairs.touched[pair] < before
+        if not clear and gap_at(t, pair, 0.0) <= 0.0:
             touch(t, pair)

@@ -76,7 +76,8 @@ class Pairs(NamedTuple):
     drift: Floats
     """How far the two moved over each other since their points were found (m)."""
     apart: Floats
-    """The surfaces of a free pair are at least so far apart when a part begins (m)."""
+    """The surfaces of a free pair are at least so far apart when a part begins (m); those of a
+    sensor and a body so far, or so deep in each other."""
     clear: Floats
     """For so long a free pair does not meet if all fly straight on, see `Progress.straight` (s)."""
     touched: Ints

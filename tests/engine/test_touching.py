@@ -1,6 +1,7 @@
 """Contacts as people read them after a step: begin, stay, end; sensors."""
 
 import json
+import math
 from typing import Any
 
 import pytest
@@ -178,5 +179,7 @@ def test_links_that_jam_where_they_meet_begin_to_touch() -> None:
         world.step()
         phases = {(contact.a.id, contact.b.id): contact.phase for contact in world.contacts}
         assert {pair for pair, phase in phases.items() if phase != "begin"} == touching
+        for contact in world.contacts:
+            assert contact.phase == "end" or math.hypot(*contact.normal) == pytest.approx(1.0)
         touching = {pair for pair, phase in phases.items() if phase != "end"}
     assert (rod.id, box.id) in touching
