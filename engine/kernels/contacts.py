@@ -278,7 +278,7 @@ def calm_down(t: Tables, left: int, count: int) -> None:
     else:
         for i in range(1, most + 1):
             found = sweep_all(t, left, polish, i % 2 == 1)
-            failed = ease(t)
+            failed = ease(t, found == QUIET)
             if has_settled(found, gives_up and i == WILD_SWEEPS) and (left == 0 or failed <= CALM):
                 return
 

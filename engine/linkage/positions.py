@@ -93,7 +93,12 @@ def bind(t: Tables, part: float) -> float:
     gather_means(t)
     for row in range(t.braces.sizes[2]):
         t.equations.total[row] = 0.0
-    failed = find_impulses(t, part) if t.braces.sizes[7] == 0 else seek_straight(t, part)
+    if t.braces.sizes[7] == 0:
+        failed = find_impulses(t, part)
+        if t.braces.sizes[7] > 0:
+            tell_once(t)
+    else:
+        failed = seek_straight(t, part)
     book_braces(t, 0.0, False)
     deliver(t)
     return failed
@@ -114,23 +119,29 @@ def retract(t: Tables) -> None:
 
 def keep_impulses(t: Tables, part: float) -> None:
     """Note what the joints exert at the start of the part (s), once that is settled."""
+    if t.braces.sizes[7] == 0:
+        tell_once(t)
     keep_limb_impulses(t, part)
     note_impulses(t)
     add_up(t)
 
 
 def gather_means(t: Tables) -> None:
-    """Read the mean velocities over the part; what joints lend is nothing yet."""
+    """Read the mean velocities over the part (see `deliver`); what joints lend is nothing yet."""
     nodes = t.nodes
     bodies = t.bodies
+    told_twice = 1.0 if t.braces.sizes[7] == 0 else 0.0
     for node in range(1, t.braces.sizes[1]):
         row = nodes.body[node]
         nodes.inverse_mass[node] = bodies.inverse_mass[row]
         nodes.inverse_inertia[node] = bodies.inverse_inertia[row]
         if bodies.inverse_mass[row] > 0.0:
-            nodes.vx[node] = (bodies.vx[row] + bodies.kick_x[row]) / 2.0
-            nodes.vy[node] = (bodies.vy[row] + bodies.kick_y[row]) / 2.0
-            nodes.spin[node] = (bodies.spin[row] + bodies.kick_spin[row]) / 2.0
+            x = bodies.vx[row] - told_twice * nodes.sum_x[node]
+            y = bodies.vy[row] - told_twice * nodes.sum_y[node]
+            turn = bodies.spin[row] - told_twice * nodes.sum_spin[node]
+            nodes.vx[node] = (x + bodies.kick_x[row]) / 2.0
+            nodes.vy[node] = (y + bodies.kick_y[row]) / 2.0
+            nodes.spin[node] = (turn + bodies.kick_spin[row]) / 2.0
         else:
             nodes.vx[node] = bodies.vx[row]
             nodes.vy[node] = bodies.vy[row]
@@ -141,15 +152,41 @@ def gather_means(t: Tables) -> None:
 
 
 def deliver(t: Tables) -> None:
-    """Give what joints lent to the bodies, from the start of the part on."""
+    """Give what joints lent to the bodies, from the start of the part on.
+
+    They give it at once, and the other half at the end, contacts evenly in between: a body that a
+    joint presses on another dips into that, and comes back, if contacts stop twice what the joint
+    gave at the start. So they are told of it twice, unless no solution was found: what then closes
+    gaps is given once. Where contacts stopped only what was left at the end of a part, bodies sank
+    into each other.
+    """
     nodes = t.nodes
+    bodies = t.bodies
+    twice = t.braces.sizes[7] == 0
     for node in range(1, t.braces.sizes[1]):
+        row = nodes.body[node]
         x = nodes.lent_x[node]
         y = nodes.lent_y[node]
-        jolt_start(t, nodes.body[node], x, y, nodes.lent_spin[node])
+        turn = nodes.lent_spin[node]
+        jolt_start(t, row, x, y, turn)
+        if twice:
+            bodies.kick_x[row] += x
+            bodies.kick_y[row] += y
+            bodies.kick_spin[row] += turn
         nodes.sum_x[node] += x
         nodes.sum_y[node] += y
-        nodes.sum_spin[node] += nodes.lent_spin[node]
+        nodes.sum_spin[node] += turn
+
+
+def tell_once(t: Tables) -> None:
+    """Take back what contacts were told twice of what joints gave; see `deliver`."""
+    bodies = t.bodies
+    nodes = t.nodes
+    for node in range(1, t.braces.sizes[1]):
+        row = nodes.body[node]
+        bodies.kick_x[row] -= nodes.sum_x[node]
+        bodies.kick_y[row] -= nodes.sum_y[node]
+        bodies.kick_spin[row] -= nodes.sum_spin[node]
 
 
 def follow_joints(t: Tables, part: float, reached: float) -> None:

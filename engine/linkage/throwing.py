@@ -35,12 +35,13 @@ def throws(t: Tables, part: float) -> bool:
     most = 0.0
     mass = 0.0
     swing = 0.0
+    note_driven(t)
     for node in range(1, t.braces.sizes[1]):
         row = nodes.body[node]
         if bodies.inverse_mass[row] > 0.0 or bodies.inverse_inertia[row] > 0.0:
-            x = nodes.vx[node] - nodes.sum_x[node]
-            y = nodes.vy[node] - nodes.sum_y[node]
-            turn = nodes.spin[node] - nodes.sum_spin[node]
+            x = nodes.vx[node] - nodes.sum_x[node] + nodes.driven_x[node]
+            y = nodes.vy[node] - nodes.sum_y[node] + nodes.driven_y[node]
+            turn = nodes.spin[node] - nodes.sum_spin[node] + nodes.driven_spin[node]
             most += energy(t, row, x, y, turn) * gain(turn * part)
             if bodies.inverse_mass[row] > 0.0:
                 mass += bodies.mass[row]
@@ -80,16 +81,37 @@ def drives(t: Tables, joint: int, row: int) -> bool:
     return abs(by_hand(t, joint, row)) > SATISFIED * scale_of(t, row, joint)
 
 
+def note_driven(t: Tables) -> None:
+    """Note what motors and springs, and what hands put beyond limits, add to the velocities: the
+    others hold what moves with that, and take energy from it.
+    """
+    nodes = t.nodes
+    arms = t.arms
+    for node in range(t.braces.sizes[1]):
+        nodes.driven_x[node] = nodes.driven_y[node] = nodes.driven_spin[node] = 0.0
+    for brace in range(t.braces.sizes[0]):
+        row = coordinate_row(t, brace)
+        if row >= 0 and drives(t, t.braces.joint[brace], row):
+            impulse = t.equations.impulse[row]
+            for arm in range(2 * row, 2 * row + 2):
+                node = arms.node[arm]
+                nodes.driven_x[node] += arms.by_mass_x[arm] * impulse
+                nodes.driven_y[node] += arms.by_mass_y[arm] * impulse
+                nodes.driven_spin[node] += arms.by_inertia[arm] * impulse
+
+
 def way_of(t: Tables, arm: int) -> float:
-    """What one body adds to the mean velocity of a row, without joints and with them (m/s)."""
+    """What one body adds to the mean velocity of a row, with motors and springs alone and with all
+    joints (m/s).
+    """
     nodes = t.nodes
     arms = t.arms
     node = arms.node[arm]
-    return (
-        arms.x[arm] * (2.0 * nodes.vx[node] + nodes.lent_x[node] - nodes.sum_x[node])
-        + arms.y[arm] * (2.0 * nodes.vy[node] + nodes.lent_y[node] - nodes.sum_y[node])
-        + arms.turn[arm] * (2.0 * nodes.spin[node] + nodes.lent_spin[node] - nodes.sum_spin[node])
-    )
+    x = 2.0 * nodes.vx[node] + nodes.lent_x[node] - nodes.sum_x[node] + nodes.driven_x[node]
+    y = 2.0 * nodes.vy[node] + nodes.lent_y[node] - nodes.sum_y[node] + nodes.driven_y[node]
+    turn = nodes.lent_spin[node] - nodes.sum_spin[node] + nodes.driven_spin[node]
+    turn += 2.0 * nodes.spin[node]
+    return arms.x[arm] * x + arms.y[arm] * y + arms.turn[arm] * turn
 
 
 def energy(t: Tables, row: int, x: float, y: float, turn: float) -> float:

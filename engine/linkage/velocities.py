@@ -10,6 +10,9 @@ from engine.linkage.stalling import stall
 from engine.tables import Tables
 from engine.tables.linkage import DRIVEN, ELASTIC, STRAINED
 
+RESTLESS = 1e300
+"""What `ease` returns if a motor changed its mind (1/s): contacts do not know of it yet."""
+
 MOST_CHANGES = 30
 """How often limits and motors may change their minds in one instant."""
 
@@ -44,9 +47,12 @@ def prepare_ease(t: Tables, part: float, done: float) -> None:
     deliver_ends(t)
 
 
-def ease(t: Tables) -> float:
+def ease(t: Tables, calm: bool) -> float:
     """Make velocities obey the constraints, those of trees of hinges apart; return how fast they
     did not before (1/s).
+
+    Motors are driven anew only where contacts are `calm`: those that have not yet stopped what a
+    strained motor pushes against them would let it have its speed with less.
     """
     if t.braces.sizes[0] == 0:
         return 0.0
@@ -57,8 +63,10 @@ def ease(t: Tables) -> float:
         if step == 0:
             failed = worst
         solve(t)
-        if not take(t, 1.0, True, step < MOST_CHANGES - 1) and not drive_anew(t):
-            break
+        if not take(t, 1.0, True, step < MOST_CHANGES - 1):
+            if not calm or not drive_anew(t):
+                break
+            failed = RESTLESS
         renew(t)
     deliver_ends(t)
     return failed

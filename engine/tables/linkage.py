@@ -147,6 +147,11 @@ class Nodes(NamedTuple):
     sum_y: Floats
     sum_spin: Floats
     """(rad/s)"""
+    driven_x: Floats
+    """What motors, springs and hands alone add to it in all, to see what the others do (m/s)."""
+    driven_y: Floats
+    driven_spin: Floats
+    """(rad/s)"""
     late: Ints
     """1 if they added to it later in the part, too, as something was struck."""
 
