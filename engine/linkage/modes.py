@@ -26,6 +26,9 @@ BY_HAND = 0.75
 FARTHEST = 1e300
 """No length is larger."""
 
+BOUNDLESS = 1e300
+"""A motor that can do as much has no bounds (N or N m)."""
+
 
 CLOSES, HOLDS = 1, 2
 """What joints do in a part for which no solution was found (0 if one was): they hold to first
@@ -191,14 +194,15 @@ def is_put_back(t: Tables, joint: int, row: int) -> bool:
 def bounds(t: Tables, joint: int, effort: float) -> tuple[float, float]:
     """Least and greatest impulse of the coordinate; `effort` is the most that its motor gives.
 
-    At a limit, a motor that drives away from it does all that it can.
+    At a limit, a motor that drives away from it does all that it can, if that is bounded.
     """
     mode = t.joints.mode[joint]
     motor = effort if t.joints.motor[joint] == 1 else 0.0
+    away = t.joints.speed[joint] if t.joints.effort[joint] < BOUNDLESS else 0.0
     if mode == AT_HIGH:
-        return -1e300, -motor if t.joints.speed[joint] < 0.0 else motor
+        return -1e300, -motor if away < 0.0 else motor
     if mode == AT_LOW:
-        return motor if t.joints.speed[joint] > 0.0 else -motor, 1e300
+        return motor if away > 0.0 else -motor, 1e300
     if mode in (DRIVEN, STRAINED):
         return -motor, motor
     return -1e300, 1e300

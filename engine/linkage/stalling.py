@@ -8,12 +8,9 @@ others hold. A motor without bounds that pulls at what cannot move contradicts i
 """
 
 from engine.linkage.impulses import add, bounds_left
-from engine.linkage.modes import TIGHT, coordinate_row, scale_of
+from engine.linkage.modes import BOUNDLESS, TIGHT, coordinate_row, scale_of
 from engine.tables import Tables
 from engine.tables.linkage import AT_HIGH, AT_LOW, DRIVEN, FIXED, STRAINED
-
-BOUNDLESS = 1e300
-"""A motor that can do as much never stalls (N or N m)."""
 
 SHARED = 1e-6
 """A motor has to do with an equation without pivot if that contains more of its own."""

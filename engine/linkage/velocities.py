@@ -13,6 +13,9 @@ from engine.tables.linkage import DRIVEN, ELASTIC, STRAINED
 RESTLESS = 1e300
 """What `ease` returns if a motor changed its mind (1/s): contacts do not know of it yet."""
 
+UTMOST = 1.0 - 1e-9
+"""Share of its greatest effort from which on a motor is strained."""
+
 MOST_CHANGES = 30
 """How often limits and motors may change their minds in one instant."""
 
@@ -31,15 +34,21 @@ def prepare_ease(t: Tables, part: float, done: float) -> None:
     for brace in range(t.braces.sizes[0]):
         joint = t.braces.joint[brace]
         joints.part[joint] = part * done
-        if coordinate_row(t, brace) >= 0:
-            note_end(t, joint, coordinate_row(t, brace), found)
-        if joints.mode[joint] in (ELASTIC, STRAINED):
-            row = coordinate_row(t, brace)
-            given = noted_impulse(t, joint, row - t.braces.first[brace])
+        row = coordinate_row(t, brace)
+        if row < 0:
+            continue
+        note_end(t, joint, row, found)
+        given = noted_impulse(t, joint, row - t.braces.first[brace])
+        left = 0.0
+        if joints.mode[joint] == ELASTIC:
             left = given * (2.0 * done - 1.0)
-            if joints.mode[joint] == STRAINED:
+        elif joints.mode[joint] == STRAINED:
+            if 2.0 * abs(given) < UTMOST * joints.effort[joint] * part:
+                joints.mode[joint] = DRIVEN  # it was strained by an impact, in which none acts
+            else:
                 least, most = bounds_left(t, brace, row, 1.0, True)
                 left = most if given > 0.0 else least
+        if left != 0.0:
             t.equations.impulse[row] = left
             lend(t, row, left)
     renew(t)

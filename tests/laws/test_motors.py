@@ -102,3 +102,17 @@ def test_nor_does_it_turn_a_weld(first: bool) -> None:
         world.step()
         assert beam.angle == pytest.approx(0.0, abs=1e-12)
         assert (pin.torque, weld.torque) == pytest.approx((50.0, -50.0), rel=1e-9)
+
+
+def test_a_motor_without_bounds_keeps_its_speed_when_it_is_struck() -> None:
+    """Motors give no impulses in impacts; after the tick the paddle turns as before."""
+    world = World(gravity=(0, -G))
+    paddle = world.add(Box(2.0, 0.1), mass=3.0)
+    world.join(None, paddle, Pin(at=(0, 0), motor_speed=0.5))
+    ball = world.add(Circle(0.1), mass=2.0, position=(0.8, 0.5), restitution=0.5)
+    hits = 0
+    for _ in range(60):
+        hits += len(world.step())
+        assert paddle.spin == pytest.approx(0.5, abs=1e-9)
+    assert hits > 0
+    assert ball.speed < 10.0
