@@ -92,10 +92,12 @@ def drive_anew(t: Tables) -> bool:
     part = 0.0
     for brace in range(t.braces.sizes[0]):
         joint = t.braces.joint[brace]
+        row = coordinate_row(t, brace)
+        if row < 0:
+            continue
         if joints.mode[joint] == DRIVEN:
             part = joints.part[joint]
         elif joints.mode[joint] == STRAINED:
-            row = coordinate_row(t, brace)
             ahead = rate_of(t, 2 * row) + rate_of(t, 2 * row + 1) - joints.speed[joint]
             effort = t.equations.impulse[row] + noted_impulse(t, joint, row - t.braces.first[brace])
             slack = TIGHT * scale_of(t, row, joint)
