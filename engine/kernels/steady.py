@@ -65,11 +65,12 @@ relied on, in the same unit."""
 
 
 def is_unsteady(t: Tables, pair: int) -> bool:
-    """Whether a contact is new, runs, rolls against resistance, slides on for more than a part, or
-    is one with something immovable that moves.
+    """Whether a contact is new, so that it has no points or has borne nothing yet; runs, rolls
+    against resistance, slides on for more than a part, or is one with something immovable that
+    moves.
     """
     pairs = t.pairs
-    if pairs.points[pair] == 0 or pairs.belt_speed[pair] != 0.0:
+    if pairs.points[pair] == 0 or pairs.part[pair] == 0.0 or pairs.belt_speed[pair] != 0.0:
         return True
     bodies = t.bodies
     a = pairs.a[pair]
