@@ -13,6 +13,7 @@ from engine.kernels.searching import approach_of, fastest_within
 from engine.kernels.touches import OVERLAP
 from engine.linkage.answers import changed, has_braces
 from engine.linkage.limb_impacts import tree_at
+from engine.linkage.tally import is_joined
 from engine.manifolds.any_pair import touching_points
 from engine.tables import FREE, LATER, NEVER, RESTING, Tables
 
@@ -31,6 +32,24 @@ MOST_BLOWS = 128
 
 LOOKS = 3
 """Steps of Newton's method: each doubles the number of digits."""
+
+
+def look_at_struck(
+    t: Tables, number: int, time: float, part: float, queued: int, strict: bool
+) -> int:
+    """Find anew, after the impact at `time` (s) of the pairs that were gathered, when what they
+    moved meets others; return the queue's length.
+    """
+    for k in range(number):
+        a = t.pairs.a[t.hits.gathered[k]]
+        b = t.pairs.b[t.hits.gathered[k]]
+        if is_joined(t, t.hits.gathered[k]):
+            queued = look_at_joined(t, a, b, time, part, queued, strict)
+        if is_deflected(t, a):
+            queued = look_again(t, a, swerve(t, a), time, part, queued, strict)
+        if is_deflected(t, b):
+            queued = look_again(t, b, swerve(t, b), time, part, queued, strict)
+    return queued
 
 
 def is_deflected(t: Tables, row: int) -> bool:

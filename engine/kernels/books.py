@@ -23,6 +23,9 @@ from engine.kernels.moments import (
 from engine.settings import Laws
 from engine.tables import Bodies, Tables
 
+INSTANT = 1e-9
+"""Impacts in a part no longer than this (s) are at its start: ways in it are lost in rounding."""
+
 CALM = 1e-14
 """Bodies that are slower (m/s, rad/s) through a part of a tick let their contacts do no work."""
 
@@ -218,8 +221,9 @@ def book_part(
             mean_spin[row] = spin
             if abs(vx) + abs(vy) + abs(spin) > CALM:
                 calm = False
-    if disturbed and reached > 0.0:
+    if disturbed:
         calm = False
+    if disturbed and reached > INSTANT:
         measure_means(bodies, count, reached)
     book_contacts(t, resting, reached / part, reached, calm, False)
     if particles:

@@ -1,21 +1,22 @@
-"""Newton's third law when bodies meet: equal and opposite impulses, one pair after another.
+"""Newton's third law when two bodies meet: equal and opposite impulses.
 
-Whether they part again, or rest on each other from then on, is decided here; what they give each
-other by `exchange`, and what the same two give each other elsewhere at once by `landing`.
+Whether they part again, or rest on each other from then on, is decided here; where they touch is
+found by `footprint`, what they give each other by `exchange`, or by `simultaneous` where one of
+them meets others at the same instant.
 """
 
 import math
 
 from engine.kernels.circles import stillness
+from engine.kernels.exchange import exchange
+from engine.kernels.footprint import points_struck
 from engine.kernels.impulses import approach
 from engine.kernels.joined_impacts import exchange_with_joints
-from engine.kernels.landing import exchange_at_once
-from engine.kernels.pose import advance, place_pair
+from engine.kernels.pose import advance
 from engine.kernels.sensing import sense_before
 from engine.kernels.sleeping import wake
 from engine.kernels.touches import note_impact
 from engine.linkage.tally import is_joined
-from engine.manifolds.any_pair import touching_points
 from engine.tables import FREE, RESTING, Bodies, Tables
 
 BOUNCES = 2
@@ -46,38 +47,59 @@ def strike(
         near: points with no wider gap (m) are struck as well.
         plastic: whether to take restitution as zero, as the end of endless bouncing.
     """
-    bodies = t.bodies
-    a = t.pairs.a[pair]
-    b = t.pairs.b[pair]
-    if bodies.asleep[a] != bodies.asleep[b]:
-        wake(t, a if bodies.asleep[a] == 1 else b)
-    sense_before(t, pair, time)
-    come(t, a, time)
-    come(t, b, time)
-    place_pair(t, pair, time)
-    points = touching_points(t, pair)
+    come_together(t, pair, time)
+    points = points_struck(t, pair, time, near)
     one, other, speed = choose_points(t, pair, points, near)
     if one < 0:
         return t.pairs.state[pair] == RESTING
-    restitution = t.pairs.restitution[pair]
-    flown = now + time - t.pairs.struck[pair]
-    t.pairs.bounces[pair] = t.pairs.bounces[pair] + 1 if flown < shortest else 0
-    again = flown < shortest * AGAIN
-    rests = plastic or stays(t, pair, restitution * speed, shortest, again)
-    if restitution < 1.0 and t.pairs.bounces[pair] >= BOUNCES:
-        rests = True
+    rests = comes_to_stay(t, pair, speed, now + time, shortest, plastic)
+    bounce = 1.0 if rests else 1.0 + t.pairs.restitution[pair]
     if is_joined(t, pair):
-        bounce = 1.0 if rests else 1.0 + restitution
         exchange_with_joints(t, pair, one, other, bounce, now, time)
+        if rests and t.pairs.state[pair] != RESTING:  # where joints jam, nothing was given
+            note_impact(t, pair, t.touch.x[one], t.touch.y[one], 0.0, 0.0)
     else:
-        exchange_at_once(t, pair, one, other, rests, now, time)
-    t.pairs.struck[pair] = now + time
-    t.pairs.apart[pair] = 0.0
-    if rests and t.pairs.state[pair] != RESTING:
-        note_impact(t, pair, t.touch.x[one], t.touch.y[one], 0.0, 0.0)  # joints may have left none
-        t.pairs.points[pair] = 0
-    t.pairs.state[pair] = RESTING if rests else FREE
+        exchange(t, pair, one, other, bounce, now + time)
+    leave_struck(t, pair, rests, now + time, shortest)
     return rests
+
+
+def come_together(t: Tables, pair: int, time: float) -> None:
+    """Move both bodies to where they are struck at `time` of the part (s), and wake who sleeps."""
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    if t.bodies.asleep[a] != t.bodies.asleep[b]:
+        wake(t, a if t.bodies.asleep[a] == 1 else b)
+    sense_before(t, pair, time)
+    come(t, a, time)
+    come(t, b, time)
+
+
+def comes_to_stay(
+    t: Tables, pair: int, speed: float, time: float, shortest: float, plastic: bool
+) -> bool:
+    """Whether a pair that is struck with a speed (m/s) at a time of the tick (s) rests from then
+    on; see `strike`.
+    """
+    restitution = t.pairs.restitution[pair]
+    flown = time - t.pairs.struck[pair]
+    if restitution < 1.0 and flown < shortest and t.pairs.bounces[pair] + 1 >= BOUNCES:
+        return True
+    return plastic or stays(t, pair, restitution * speed, shortest, flown < shortest * AGAIN)
+
+
+def leave_struck(t: Tables, pair: int, rests: bool, time: float, shortest: float) -> None:
+    """Note that a pair was struck at a time of the tick (s), and whether it rests from then on;
+    count its flights on end that were none.
+    """
+    pairs = t.pairs
+    flown = time - pairs.struck[pair]
+    pairs.bounces[pair] = pairs.bounces[pair] + 1 if flown < shortest else 0
+    pairs.struck[pair] = time
+    pairs.apart[pair] = 0.0
+    if rests and pairs.state[pair] != RESTING:
+        pairs.points[pair] = 0
+    pairs.state[pair] = RESTING if rests else FREE
 
 
 def come(t: Tables, row: int, time: float) -> None:

@@ -13,16 +13,22 @@ WEDGED = 1e-9
 
 def approach(t: Tables, pair: int, point: int) -> float:
     """Speed along the normal with which the two bodies approach at a point of `Touch` (m/s)."""
+    touch = t.touch
+    return closing_speed(
+        t, pair, touch.x[point], touch.y[point], touch.normal_x[0], touch.normal_y[0]
+    )
+
+
+def closing_speed(t: Tables, pair: int, x: float, y: float, nx: float, ny: float) -> float:
+    """Speed with which the two bodies approach at (x, y) along a normal from a to b (m/s)."""
     bodies = t.bodies
     a = t.pairs.a[pair]
     b = t.pairs.b[pair]
-    x = t.touch.x[point]
-    y = t.touch.y[point]
     vx = bodies.vx[a] - bodies.spin[a] * (y - bodies.here_y[a]) - bodies.vx[b]
     vx += bodies.spin[b] * (y - bodies.here_y[b])
     vy = bodies.vy[a] + bodies.spin[a] * (x - bodies.here_x[a]) - bodies.vy[b]
     vy -= bodies.spin[b] * (x - bodies.here_x[b])
-    return vx * t.touch.normal_x[0] + vy * t.touch.normal_y[0]
+    return vx * nx + vy * ny
 
 
 def response(t: Tables, pair: int, x: float, y: float, along_x: float, along_y: float) -> float:
@@ -41,15 +47,8 @@ def response(t: Tables, pair: int, x: float, y: float, along_x: float, along_y: 
 
 
 def slip(t: Tables, pair: int, x: float, y: float) -> float:
-    """Speed of b past a at (x, y), along the normal turned left (m/s)."""
-    bodies = t.bodies
-    a = t.pairs.a[pair]
-    b = t.pairs.b[pair]
-    vx = bodies.vx[b] - bodies.spin[b] * (y - bodies.here_y[b]) - bodies.vx[a]
-    vx += bodies.spin[a] * (y - bodies.here_y[a])
-    vy = bodies.vy[b] + bodies.spin[b] * (x - bodies.here_x[b]) - bodies.vy[a]
-    vy -= bodies.spin[a] * (x - bodies.here_x[a])
-    return vy * t.touch.normal_x[0] - vx * t.touch.normal_y[0]
+    """Speed of b past a at (x, y), along the normal in `Touch` turned left (m/s)."""
+    return closing_speed(t, pair, x, y, t.touch.normal_y[0], -t.touch.normal_x[0])
 
 
 def change_of(speed: float, bounce: float) -> float:
@@ -99,15 +98,29 @@ def give(t: Tables, pair: int, x: float, y: float, jx: float, jy: float) -> None
 def report(
     t: Tables, pair: int, x: float, y: float, total: float, along: float, speed: float, time: float
 ) -> None:
-    """Note, book and write to the table (whose first row counts them, see `tick`) an impact that
-    gave b impulses along the normal and along the surface, at (x, y) (N s).
+    """Note, book and write down an impact that gave b impulses along the normal in `Touch` and
+    along the surface, at (x, y) (N s).
     """
+    note_given(t, pair, x, y, total, along)
+    write_impact(t, pair, x, y, total, along, speed, time)
+
+
+def note_given(t: Tables, pair: int, x: float, y: float, total: float, along: float) -> None:
+    """Note and book such impulses."""
     nx = t.touch.normal_x[0]
     ny = t.touch.normal_y[0]
     jx = total * nx - along * ny
     jy = total * ny + along * nx
     note_impact(t, pair, x, y, jx, jy)
     book_impact(t, pair, x, y, jx, jy)
+
+
+def write_impact(
+    t: Tables, pair: int, x: float, y: float, total: float, along: float, speed: float, time: float
+) -> None:
+    """Write such an impact to the table, whose first row counts them; see `tick`."""
+    nx = t.touch.normal_x[0]
+    ny = t.touch.normal_y[0]
     impacts = t.impacts
     row = impacts.written[0]
     impacts.written[0] = row + 1
@@ -117,8 +130,8 @@ def report(
     impacts.y[row] = y
     impacts.normal_x[row] = nx
     impacts.normal_y[row] = ny
-    impacts.impulse_x[row] = jx
-    impacts.impulse_y[row] = jy
+    impacts.impulse_x[row] = total * nx - along * ny
+    impacts.impulse_y[row] = total * ny + along * nx
     impacts.speed[row] = speed
     impacts.restitution[row] = t.pairs.restitution[pair]
     impacts.time[row] = time

@@ -5,6 +5,7 @@ is over: what forces do within a substep explains its motion. Nothing else decid
 impact; there is no speed below which bodies do not bounce.
 """
 
+from engine.kernels.agenda import dequeue, enqueue, next_to_meet
 from engine.kernels.circles import stillness, wall_of
 from engine.kernels.contacts import CROWD, kick
 from engine.kernels.following import (
@@ -14,14 +15,16 @@ from engine.kernels.following import (
     has_drifted,
     turning,
 )
-from engine.kernels.impacts import settling_speed, stays, strike
+from engine.kernels.gathering import gather
+from engine.kernels.impacts import settling_speed, stays
 from engine.kernels.meeting import notice_passing, slides_over
 from engine.kernels.packing import clear_lane, is_packed, load_points
 from engine.kernels.parting import is_parting
 from engine.kernels.pose import place_pair
 from engine.kernels.rousing import rouse
 from engine.kernels.rubbing import note_sliding
-from engine.kernels.searching import NOWHERE, approach_at, fastest_within, lowest_gap
+from engine.kernels.searching import fastest_within, lowest_gap
+from engine.kernels.simultaneous import strike_gathered
 from engine.kernels.sleeping import wake
 from engine.kernels.spring import DAMPING, PUSH, RESTLESS, frequency, softness, softness_left
 from engine.kernels.steady import let_go
@@ -129,14 +132,17 @@ def comes_to_rest(t: Tables, pair: int, shortest: float) -> bool:
     size = t.pairs.size[pair]
     place_pair(t, pair, 0.0)
     points = touching_points(t, pair)
+    time = 0.0
     if points == 0:  # on another link of the chain: look where its points will be looked for
-        speed = approach_at(t, pair, shortest / 2.0)
-        near = t.touch.gap[0] <= TOUCHING * size
-        return speed != NOWHERE and near and slides_over(t, pair, speed, shortest)
+        time = shortest / 2.0
+        place_pair(t, pair, time)
+        points = touching_points(t, pair)
     gap = lowest_gap(t, points)
-    if gap > TOUCHING * size:
+    if points == 0 or gap > TOUCHING * size:
         return False
-    speed = fastest_within(t, pair, points, 0.0, gap + 1e-8 * size)
+    speed = fastest_within(t, pair, points, time, gap + 1e-8 * size)
+    if time > 0.0:
+        return slides_over(t, pair, speed, shortest)
     fastest = size if gap < -KEEPING * size else stillness(t, pair)
     if gap < -OVERLAP * size and -size < speed <= fastest:
         return True
@@ -156,9 +162,10 @@ def hold(
     for again in (anew, True):
         if resting > 0:
             place_middle(t, count, part / 2.0, again)
-        resting, hit = ready_all(t, resting, now, part, substep, again)
-        if not hit:
+        resting, queued = ready_all(t, resting, part, substep, again)
+        if queued == 0:
             break
+        strike_slaps(t, queued, now, part, substep)
     count_holds(t, count, resting)
     for row in range(count):
         if t.bodies.held[row] == 0:
@@ -170,17 +177,30 @@ def hold(
     return resting
 
 
-def ready_all(
-    t: Tables, resting: int, now: float, part: float, substep: float, again: bool
-) -> tuple[int, bool]:
-    """Measure and ready the resting contacts for a part of the tick (s), and strike what slaps.
+def strike_slaps(t: Tables, queued: int, now: float, part: float, substep: float) -> None:
+    """Strike the pairs in the queue, at the start of a part (s)."""
+    bodies = t.bodies
+    while queued > 0:
+        pair = next_to_meet(t, queued)
+        queued = dequeue(t, 0, queued)
+        t.pairs.meeting[pair] = NEVER
+        number, queued = gather(t, pair, 0.0, queued)
+        strike_gathered(t, number, now, 0.0, substep, part, False)
+        for k in range(number):
+            struck = t.hits.gathered[k]
+            for body in (t.pairs.a[struck], t.pairs.b[struck]):
+                bodies.stirred[body] = 1
+                bodies.placed[body] = 0
 
-    `again`, only those of bodies that were struck. Returns how many pairs still rest, and whether
-    some were struck.
+
+def ready_all(t: Tables, resting: int, part: float, substep: float, again: bool) -> tuple[int, int]:
+    """Measure and ready the resting contacts for a part of the tick (s), and queue what slaps.
+
+    `again`, only those of bodies that were struck. Returns how many pairs still rest, and how many
+    are to be struck.
     """
     pairs = t.pairs
     stirred = t.bodies.stirred
-    placed = t.bodies.placed
     inverse_mass = t.bodies.inverse_mass
     omega = frequency(substep)
     damping = DAMPING * RESTLESS if t.state.restless[0] == 1 else DAMPING
@@ -189,7 +209,7 @@ def ready_all(
     some = again and not joints_act(t)
     packed = t.lanes.sizes[2] == 1
     kept = 0
-    hit = False
+    queued = 0
     for k in range(resting):
         pair = pairs.resting[k]
         pairs.acting[pair] = 0
@@ -226,19 +246,14 @@ def ready_all(
             continue
         touch(t, pair)
         pairs.meeting[pair] = LATER if does == LANDS else NEVER
-        if does == SLAPS and not again and t.impacts.written[0] < IMPACTS_AT_ONCE:
-            near = OVERLAP * pairs.size[pair]
-            if is_joined(t, pair):  # all that lands in the part is struck now
-                near = pairs.speed[pair] * part
-            strike(t, pair, now, 0.0, substep, near, False)
-            stirred[a] = stirred[b] = 1
-            placed[a] = placed[b] = 0
-            hit = True
+        if does == SLAPS and not again and t.impacts.written[0] + queued < IMPACTS_AT_ONCE:
+            pairs.meeting[pair] = 0.0
+            queued = enqueue(t, pair, queued)
         if packed:
             load_points(t, pair, pairs.lane[pair])
         pairs.resting[kept] = pair
         kept += 1
-    return kept, hit
+    return kept, queued
 
 
 def place_middle(t: Tables, count: int, half: float, again: bool) -> None:
@@ -323,7 +338,7 @@ def prepare(
         if contacts.normal_impulse[row] == 0.0 and closing > explained:
             way = closing * part / 2.0  # gaps are those of the middle of the part
             more = explained * part / 2.0 if pairs.restitution[pair] > 0.0 else 0.0
-            if gap <= way and (joined or gap <= OVERLAP * size - way):
+            if gap <= way and (joined or gap <= TOUCHING * size - way):
                 does = SLAPS
                 pairs.speed[pair] = closing
             elif gap <= way + more:

@@ -5,14 +5,14 @@ early when two bodies come to rest on each other, or when a body leaves the box 
 of pairs holds.
 """
 
-from engine.kernels.aftermath import await_corners, is_deflected, look_again, look_at_joined, swerve
+from engine.kernels.aftermath import await_corners, look_at_struck
 from engine.kernels.agenda import TOGETHER, dequeue, empty, next_to_meet
 from engine.kernels.books import book_lead, book_part
 from engine.kernels.contacts import correct_arms, relax
 from engine.kernels.escaping import has_escaped
 from engine.kernels.fields import lead_of_euler
 from engine.kernels.following import turning
-from engine.kernels.impacts import strike
+from engine.kernels.gathering import gather
 from engine.kernels.islands import (
     end_steadily,
     wait_steadily,
@@ -32,9 +32,10 @@ from engine.kernels.resting import (
 )
 from engine.kernels.rousing import pair_waits, rouse
 from engine.kernels.sensing import sense_all
+from engine.kernels.simultaneous import strike_gathered
 from engine.kernels.status import CROWDED, DONE, ESCAPED
 from engine.kernels.steady import MOVING
-from engine.kernels.touches import OVERLAP, collect, take_back_all, touch
+from engine.kernels.touches import collect, take_back_all, touch
 from engine.linkage.limb_sweeps import book_even
 from engine.linkage.pace import (
     LONGEST,
@@ -272,7 +273,6 @@ def meet_in_order(
     pairs = t.pairs
     written = t.impacts.written
     reached = 0.0
-    escaped = False
     cut = False
     ending = DONE
     while queued > 0:
@@ -285,60 +285,77 @@ def meet_in_order(
             return CROWDED, time, queued
         queued = dequeue(t, 0, queued)
         pairs.meeting[pair] = NEVER
-        a = pairs.a[pair]
-        b = pairs.b[pair]
-        rests = meet(t, pair, now, time, dt, substep, limit)
-        if pair_waits(t, pair):
-            rouse(t, pair)
+        number = 1
+        t.hits.gathered[0] = pair
+        if written[1] < limit:
+            number, queued = gather(t, pair, time, queued)
+        rests = meet(t, number, now, time, dt, substep, limit)
+        for k in range(number):
+            if pair_waits(t, t.hits.gathered[k]):
+                rouse(t, t.hits.gathered[k])
         if t.progress.roused[0] > 0:
             cut = True  # but first, what waits hands the blow on to what it rests on
         elif rests and (
-            (held == 0 and time < part)
-            or (written[1] < limit and turning(t, pair, part - time) > PLUNGE)
+            (held == 0 and time < part) or (written[1] < limit and plunge(t, number, part - time))
         ):
             return DONE, time, queued
-        joined = is_joined(t, pair)
-        if joined:
+        left = dt - now - time
+        for k in range(number):
+            struck = t.hits.gathered[k]
+            a = pairs.a[struck]
+            b = pairs.b[struck]
+            if has_escaped(t, a, left) or has_escaped(t, b, left):
+                ending = ESCAPED
+                # Contacts act for a whole part; cut it only if a body might leave its box within.
+                within = part - time
+                if not loaded or has_escaped(t, a, within) or has_escaped(t, b, within):
+                    cut = True
+        if is_joined(t, pair):
             written[1] += joints_that_act(t) // 8  # joints make it dear: give up sooner
         strict = written[1] < 2 * limit
-        if joined:
-            queued = look_at_joined(t, a, b, time, part, queued, strict)
-        left = dt - now - time
-        if has_escaped(t, a, left) or has_escaped(t, b, left):
-            escaped = True
-            left = part - time
-            # Contacts act for a whole part; cut it only if a body might leave its box within it.
-            if not loaded or has_escaped(t, a, left) or has_escaped(t, b, left):
-                cut = True
-        if escaped:
-            ending = ESCAPED
-        if is_deflected(t, a):
-            queued = look_again(t, a, swerve(t, a), time, part, queued, strict)
-        if is_deflected(t, b):
-            queued = look_again(t, b, swerve(t, b), time, part, queued, strict)
+        queued = look_at_struck(t, number, time, part, queued, strict)
     if cut:
         return ending, reached, queued
     return ending, part, queued
 
 
+def plunge(t: Tables, number: int, left: float) -> bool:
+    """Whether one of the pairs that were struck rests and turns far in the time left (s)."""
+    for k in range(number):
+        pair = t.hits.gathered[k]
+        if t.pairs.state[pair] == RESTING and turning(t, pair, left) > PLUNGE:
+            return True
+    return False
+
+
 def meet(
-    t: Tables, pair: int, now: float, time: float, dt: float, substep: float, limit: int
+    t: Tables, number: int, now: float, time: float, dt: float, substep: float, limit: int
 ) -> bool:
-    """Let a pair meet at `time` of its part; return whether it rests from then on. For the others
-    see `meet_in_order`.
+    """Let the pairs that were gathered meet at `time` of their part; return whether one of them
+    rests from then on. For the others see `meet_in_order`.
     """
     pairs = t.pairs
     written = t.impacts.written
-    rested = pairs.state[pair] == RESTING
-    written[1] += 1
+    hits = t.hits
+    written[1] += number
     if written[1] > 2 * limit:
-        touch(t, pair)
-        if not rested:
-            pairs.points[pair] = 0
-        pairs.state[pair] = RESTING
+        for k in range(number):
+            hold_on(t, hits.gathered[k])
         return True
-    near = OVERLAP * pairs.size[pair] if rested else 0.0
-    rests = strike(t, pair, now, time, substep, near, written[1] > limit)
-    if rested and not rests:
-        collect(t, pair, (now + time) / dt if pair_waits(t, pair) else 1.0)
+    strike_gathered(t, number, now, time, substep, 0.0, written[1] > limit)
+    rests = False
+    for k in range(number):
+        pair = hits.gathered[k]
+        if pairs.state[pair] == RESTING:
+            rests = True
+        elif hits.rested[k] == 1:
+            collect(t, pair, (now + time) / dt if pair_waits(t, pair) else 1.0)
     return rests
+
+
+def hold_on(t: Tables, pair: int) -> None:
+    """Let a pair rest without a blow: it has had more than enough of them."""
+    touch(t, pair)
+    if t.pairs.state[pair] != RESTING:
+        t.pairs.points[pair] = 0
+    t.pairs.state[pair] = RESTING

@@ -20,6 +20,10 @@ IMPACTS_AT_ONCE = 4096
 """Rows of the table of impacts; after so many in one tick the kernel pauses to have it emptied."""
 
 
+MOST_HITS = 256
+"""Rows of the table of points that are struck at one instant."""
+
+
 class Pairs(NamedTuple):
     """One row two pieces of two bodies whose boxes overlap, sorted by (piece_a, piece_b).
 
@@ -144,7 +148,9 @@ class Contacts(NamedTuple):
 
 
 class Touch(NamedTuple):
-    """Where two bodies touch, as the geometry last found it: two rows, the normal in the first."""
+    """Where two pieces touch, as the geometry last found it: two rows, the normal in the first; and
+    two rows of where two bodies touch with all theirs, see `footprint`.
+    """
 
     x: Floats
     """Point halfway between the surfaces (m, world)."""
@@ -155,6 +161,43 @@ class Touch(NamedTuple):
     """Unit normal from a to b."""
     normal_y: Floats
     feature: Ints
+
+
+class Hits(NamedTuple):
+    """One row a point at which bodies are struck at one instant; see `simultaneous`."""
+
+    gathered: Ints
+    """Pairs that are struck together (a list of its own, not by row)."""
+    rested: Ints
+    """1 for each of these that rested before (in the order of the list)."""
+    rests: Ints
+    """1 for one that does so from then on (in the order of the list)."""
+    first: Ints
+    """First row of each, and number of rows (in the order of the list)."""
+    rows: Ints
+    pair: Ints
+    x: Floats
+    """(m, world)"""
+    y: Floats
+    normal_x: Floats
+    """Unit normal from a to b."""
+    normal_y: Floats
+    between: Ints
+    """1 for a point that others on both sides of it leave nothing to bear."""
+    came: Floats
+    """Speed of approach before (m/s)."""
+    leaves: Floats
+    """With which the bodies leave each other at least (m/s)."""
+    yields: Floats
+    """Change of that speed by a unit impulse (1/kg); along the surface once friction acts."""
+    impulse: Floats
+    """Along the normal (N s)."""
+    slid: Floats
+    """Speed of b past a, before; then without friction (m/s)."""
+    most: Floats
+    """Of the impulse of friction (N s)."""
+    along: Floats
+    """Impulse of friction, on b, along the normal turned left (N s)."""
 
 
 class Impacts(NamedTuple):

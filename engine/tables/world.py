@@ -18,9 +18,11 @@ from engine.tables.linkage import (
 )
 from engine.tables.pairs import (
     IMPACTS_AT_ONCE,
+    MOST_HITS,
     Contacts,
     Found,
     Grid,
+    Hits,
     Ignored,
     Impacts,
     Links,
@@ -201,6 +203,7 @@ class Tables(NamedTuple):
     links: Links
     lanes: Lanes
     touch: Touch
+    hits: Hits
     impacts: Impacts
     joints: Joints
     braces: Braces
@@ -237,7 +240,8 @@ ROWS = {
     "found": 256,
     "parted": 256,
     "grid": 128,
-    "touch": 2,
+    "touch": 4,
+    "hits": MOST_HITS,
     "impacts": IMPACTS_AT_ONCE,
     "joints": 4,
     "braces": 8,

@@ -68,3 +68,60 @@ def test_what_lands_flat_bounces_flat(
         energy = body.vy**2 / 2 + G * (body.y + lowest(shape))
         assert energy == pytest.approx(0.4 * G, rel=1e-9)
         assert abs(body.spin) < 1e-9
+
+
+BAR = Compound([(Box(0.5, 0.2), (0.5 * i, 0)) for i in range(3)])
+
+
+@pytest.mark.parametrize("ground", [wall, chain, planks])
+@pytest.mark.parametrize("shape", [Box(1.5, 0.2), BAR, Capsule(1.2, 0.1)])
+@pytest.mark.parametrize("e", [0.5, 1.0])
+def test_what_slides_as_it_lands_loses_friction_times_the_impulse(
+    ground: Callable[[World], None], shape: Shape, e: float
+) -> None:
+    """One impact, wherever seams are: P = (1 + e) m v upwards, mu P against the sliding."""
+    for x in (-0.9, -0.6, -0.27, 0.0):
+        world = World(gravity=(0, -G), integrator="velocity-verlet")
+        ground(world)
+        body = world.add(
+            shape, mass=3.0, position=(x, 1 - lowest(shape)), velocity=(1, 0), restitution=e,
+            friction=0.0018,
+        )  # fmt: skip
+        hits = []
+        while not hits:
+            hits = world.step()
+        (hit,) = hits
+        speed = math.sqrt(2 * G)
+        assert hit.impulse.y == pytest.approx(3 * (1 + e) * speed, rel=1e-9)
+        assert body.vx == pytest.approx(1 - 0.03 * (1 + e) * speed, rel=1e-9)
+        after = body.vy + G * (world.time - hit.time)
+        assert after == pytest.approx(e * speed, rel=1e-9)
+
+
+def props(world: World) -> None:
+    for x in (-0.8, 0.8):
+        world.add(Box(0.8, 1), kind="static", position=(x, -0.5), friction=0.0)
+
+
+@pytest.mark.parametrize(
+    ("shape", "ground"), [(BAR, wall), (Box(1.5, 0.2), planks), (Box(1.5, 0.2), props)]
+)
+@pytest.mark.parametrize("angle", [0.3, 0.6])
+@pytest.mark.parametrize("e", [0.0, 0.3, 0.5, 0.8, 1.0])
+def test_a_bar_falls_over_alike_whatever_it_and_the_ground_are_made_of(
+    shape: Shape, ground: Callable[[World], None], angle: float, e: float
+) -> None:
+    """The far end comes down, the near one is kept from being pressed in, at the same instant."""
+    ways = []
+    for falling, floor in ((shape, ground), (Box(1.5, 0.2), wall)):
+        world = World(gravity=(0, -G))
+        floor(world)
+        bar = world.add(falling, mass=3.0, angle=angle, restitution=e, friction=0.0)
+        bar.position = (0, -min(y for line in bar.outlines for _, y in line))
+        way = []
+        for _ in range(60):
+            world.step()
+            way.append((bar.y, bar.angle))
+        ways.append(way)
+    for one, other in zip(*ways, strict=True):
+        assert one == pytest.approx(other, abs=5e-3)

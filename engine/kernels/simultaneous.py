@@ -1,0 +1,353 @@
+"""Impacts of one instant on the same bodies: a ball that meets two at once, a plank on two props.
+
+Struck one after another, the first would decide what the second finds, and what is its own mirror
+image would not stay so. Newton's law of restitution holds for all points together: each leaves with
+e times the speed with which it came, none pulls, and what leaves faster is not pushed. The impulses
+that do so are found by passing over the points one by one, again and again (projected Gauss-Seidel;
+Moreau, "Numerical aspects of the sweeping process", 1999, section 4). Friction follows in the same
+way, at most mu times the impulse along the normal, so no impact gains energy.
+"""
+
+from engine.kernels.exchange import sticks
+from engine.kernels.footprint import PARALLEL, points_struck
+from engine.kernels.gathering import is_ground
+from engine.kernels.impacts import (
+    choose_points,
+    come_together,
+    comes_to_stay,
+    leave_struck,
+    strike,
+)
+from engine.kernels.impulses import closing_speed, give, note_given, response, write_impact
+from engine.kernels.rubbing import belt_speed
+from engine.kernels.touches import OVERLAP
+from engine.linkage.tally import is_joined
+from engine.tables import RESTING, Tables
+
+PASSES = 1000
+"""So often the points are passed over; where that is not enough, pairs are struck one by one."""
+
+RUBS = 32
+"""So often at most to find friction: in heaps the last digits take a hundred times as many."""
+
+ENOUGH = 1e-14
+"""No speed changes by more in the last pass, as a share of the fastest approach."""
+
+
+def strike_gathered(
+    t: Tables,
+    number: int,
+    now: float,
+    time: float,
+    shortest: float,
+    within: float,
+    plastic: bool,
+) -> None:
+    """Let all pairs that were gathered collide at once; or, where no impulses are found that do
+    so, one after another. For the rest see `impacts.strike`.
+
+    Args:
+        t: the tables.
+        number: how many pairs are listed in `Hits`.
+        now: when the part began, since the tick began (s).
+        time: of the impact, since the part began (s).
+        shortest: a flight shorter than this (s) is none: the bodies stay together.
+        within: points of a resting pair that joints hold are struck if they land within this (s).
+        plastic: whether to take restitution as zero, as the end of endless bouncing.
+    """
+    hits = t.hits
+    pairs = t.pairs
+    for k in range(number):
+        hits.rested[k] = 1 if pairs.state[hits.gathered[k]] == RESTING else 0
+    if number > 1 and strike_together(t, number, now, time, shortest, plastic):
+        return
+    for k in range(number):
+        pair = hits.gathered[k]
+        near = OVERLAP * pairs.size[pair] if hits.rested[k] == 1 else 0.0
+        if within > 0.0 and is_joined(t, pair):
+            near = pairs.speed[pair] * within
+        strike(t, pair, now, time, shortest, near, plastic)
+
+
+def strike_together(
+    t: Tables, number: int, now: float, time: float, shortest: float, plastic: bool
+) -> bool:
+    """Let all pairs that were gathered collide at once; return False, with nothing done, if no
+    impulses are found that do so, and True as well if nothing approaches any more.
+    """
+    hits = t.hits
+    rows = 0
+    fastest = 0.0
+    for k in range(number):
+        come_together(t, hits.gathered[k], time)
+    for k in range(number):
+        rows, speed = list_points(t, k, rows, now, time, shortest, plastic)
+        if speed > fastest:
+            fastest = speed
+    if fastest == 0.0:
+        return True
+    for row in range(rows):
+        hits.between[row] = 1 if is_between(t, row, rows) else 0
+    if not press_all(t, rows, ENOUGH * fastest):
+        come_back(t, number)
+        return False
+    come_back(t, number)
+    give_all(t, rows)
+    book_pressing(t, rows)
+    rub_all(t, rows, ENOUGH * fastest)
+    come_back(t, number)
+    give_all(t, rows)
+    book_rubbing(t, rows)
+    for k in range(number):
+        if report_points(t, k, now + time):
+            leave_struck(t, hits.gathered[k], hits.rests[k] == 1, now + time, shortest)
+    return True
+
+
+def list_points(
+    t: Tables, k: int, rows: int, now: float, time: float, shortest: float, plastic: bool
+) -> tuple[int, float]:
+    """List the points of the pair that stands in place `k`; return the number of rows, and its
+    fastest approach (m/s).
+    """
+    hits = t.hits
+    pair = hits.gathered[k]
+    near = OVERLAP * t.pairs.size[pair] if hits.rested[k] == 1 else 0.0
+    points = points_struck(t, pair, time, near)
+    one, other, speed = choose_points(t, pair, points, near)
+    hits.first[k] = rows
+    hits.rows[k] = 0
+    if one < 0:
+        if hits.rested[k] == 1:
+            return list_props(t, k, rows, points, near), 0.0
+        return rows, 0.0
+    rests = comes_to_stay(t, pair, speed, now + time, shortest, plastic)
+    restitution = 0.0 if rests else t.pairs.restitution[pair]
+    list_point(t, pair, one, restitution, rows)
+    hits.rows[k] = 1
+    if other >= 0:
+        list_point(t, pair, other, restitution, rows + 1)
+        hits.rows[k] = 2
+    hits.rests[k] = 1 if rests else 0
+    return rows + hits.rows[k], speed
+
+
+def list_props(t: Tables, k: int, rows: int, points: int, near: float) -> int:
+    """List the points in `Touch` of a resting pair that does not approach, with a gap of at most
+    `near` (m); return the number of rows.
+    """
+    hits = t.hits
+    for point in range(points):
+        if t.touch.gap[point] <= near:
+            list_point(t, hits.gathered[k], point, 0.0, rows + hits.rows[k])
+            hits.rows[k] += 1
+    hits.rests[k] = 1
+    return rows + hits.rows[k]
+
+
+def list_point(t: Tables, pair: int, point: int, restitution: float, row: int) -> None:
+    """List a point of `Touch`."""
+    hits = t.hits
+    x = t.touch.x[point]
+    y = t.touch.y[point]
+    nx = t.touch.normal_x[0]
+    ny = t.touch.normal_y[0]
+    speed = closing_speed(t, pair, x, y, nx, ny)
+    hits.pair[row] = pair
+    hits.x[row] = x
+    hits.y[row] = y
+    hits.normal_x[row] = nx
+    hits.normal_y[row] = ny
+    hits.came[row] = speed
+    hits.leaves[row] = restitution * speed if speed > 0.0 else 0.0
+    hits.yields[row] = response(t, pair, x, y, nx, ny)
+    hits.slid[row] = sliding_at(t, row)
+    hits.impulse[row] = 0.0
+    hits.along[row] = 0.0
+
+
+def is_between(t: Tables, row: int, rows: int) -> bool:
+    """Whether a point at which a body touches the ground lies between two others with the same
+    normal: they say all, and which of three bears how much would be found very slowly.
+    """
+    hits = t.hits
+    body = on_ground(t, row)
+    if body < 0:
+        return False
+    nx = hits.normal_x[row]
+    ny = hits.normal_y[row]
+    before = False
+    after = False
+    for other in range(rows):
+        if on_ground(t, other) != body:
+            continue
+        if abs(hits.normal_x[other] * ny - hits.normal_y[other] * nx) <= PARALLEL:
+            along = (hits.y[other] - hits.y[row]) * nx - (hits.x[other] - hits.x[row]) * ny
+            before = before or along < 0.0
+            after = after or along > 0.0
+    return before and after
+
+
+def on_ground(t: Tables, row: int) -> int:
+    """The body that touches the ground at a point, or -1 if both yield."""
+    pair = t.hits.pair[row]
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    if is_ground(t, a):
+        return b
+    return a if is_ground(t, b) else -1
+
+
+def press_all(t: Tables, rows: int, enough: float) -> bool:
+    """Find the impulses along the normals; whether no speed (m/s) changed by more in the end."""
+    hits = t.hits
+    for _ in range(PASSES):
+        most = 0.0
+        for row in range(rows):
+            if hits.between[row] == 1:
+                continue
+            lacks = approach_at(t, row) + hits.leaves[row]
+            impulse = hits.impulse[row] + lacks / hits.yields[row]
+            if impulse < 0.0:
+                impulse = 0.0
+            change = impulse - hits.impulse[row]
+            hits.impulse[row] = impulse
+            push(t, row, change, 0.0)
+            if abs(change) * hits.yields[row] > most:
+                most = abs(change) * hits.yields[row]
+        if most <= enough:
+            return True
+    return False
+
+
+def rub_all(t: Tables, rows: int, enough: float) -> None:
+    """Find the impulses of friction, until no speed (m/s) changes by more."""
+    hits = t.hits
+    for row in range(rows):
+        ready_friction(t, row)
+    for _ in range(RUBS):
+        most = 0.0
+        for row in range(rows):
+            along = hits.along[row] - sliding_at(t, row) / hits.yields[row]
+            if along > hits.most[row]:
+                along = hits.most[row]
+            elif along < -hits.most[row]:
+                along = -hits.most[row]
+            change = along - hits.along[row]
+            hits.along[row] = along
+            push(t, row, 0.0, change)
+            if abs(change) * hits.yields[row] > most:
+                most = abs(change) * hits.yields[row]
+        if most <= enough:
+            return
+
+
+def ready_friction(t: Tables, row: int) -> None:
+    """Note how a point slides once it is pressed, and how much friction it has."""
+    hits = t.hits
+    pair = hits.pair[row]
+    nx = hits.normal_x[row]
+    ny = hits.normal_y[row]
+    yields = response(t, pair, hits.x[row], hits.y[row], -ny, nx)
+    before = hits.slid[row]
+    slid = sliding_at(t, row)
+    hits.slid[row] = slid
+    hits.yields[row] = yields
+    hits.most[row] = t.pairs.friction[pair] * hits.impulse[row]
+    if abs(slid) > hits.most[row] * yields and sticks(
+        t, pair, before, slid, yields, hits.impulse[row]
+    ):
+        hits.most[row] = abs(slid) / yields
+
+
+def approach_at(t: Tables, row: int) -> float:
+    """Speed of approach at a point (m/s)."""
+    hits = t.hits
+    return closing_speed(
+        t, hits.pair[row], hits.x[row], hits.y[row], hits.normal_x[row], hits.normal_y[row]
+    )
+
+
+def sliding_at(t: Tables, row: int) -> float:
+    """Speed of b past a at a point, along the normal turned left, belts included (m/s)."""
+    hits = t.hits
+    pair = hits.pair[row]
+    nx = hits.normal_x[row]
+    ny = hits.normal_y[row]
+    slides = closing_speed(t, pair, hits.x[row], hits.y[row], ny, -nx)
+    return slides + belt_speed(t, pair, nx, ny)
+
+
+def push(t: Tables, row: int, impulse: float, along: float) -> None:
+    """Give impulses along the normal and along the surface (N s) at a point."""
+    hits = t.hits
+    nx = hits.normal_x[row]
+    ny = hits.normal_y[row]
+    give(
+        t,
+        hits.pair[row],
+        hits.x[row],
+        hits.y[row],
+        impulse * nx - along * ny,
+        impulse * ny + along * nx,
+    )
+
+
+def give_all(t: Tables, rows: int) -> None:
+    """Give the impulses that were found."""
+    for row in range(rows):
+        push(t, row, t.hits.impulse[row], t.hits.along[row])
+
+
+def come_back(t: Tables, number: int) -> None:
+    """Give the bodies the velocities with which they came."""
+    bodies = t.bodies
+    for k in range(number):
+        for body in (t.pairs.a[t.hits.gathered[k]], t.pairs.b[t.hits.gathered[k]]):
+            bodies.vx[body] = bodies.came_x[body]
+            bodies.vy[body] = bodies.came_y[body]
+            bodies.spin[body] = bodies.came_spin[body]
+
+
+def book_pressing(t: Tables, rows: int) -> None:
+    """Book what impulses along the normals took of the energy."""
+    for row in range(rows):
+        speeds = t.hits.came[row] + approach_at(t, row)
+        t.books.restitution_heat[0] += t.hits.impulse[row] * speeds / 2.0
+
+
+def book_rubbing(t: Tables, rows: int) -> None:
+    """Book what friction took, and what belts gave."""
+    hits = t.hits
+    for row in range(rows):
+        along = hits.along[row]
+        belt = belt_speed(t, hits.pair[row], hits.normal_x[row], hits.normal_y[row])
+        t.books.friction_heat[0] -= along * (hits.slid[row] + sliding_at(t, row)) / 2.0
+        t.books.wall_work[0] -= along * belt
+
+
+def report_points(t: Tables, k: int, time: float) -> bool:
+    """Report what the pair in place `k` was given at a time of the tick (s), as one impact between
+    its points; return whether it was given anything.
+    """
+    hits = t.hits
+    if hits.rows[k] == 0:
+        return False
+    first = hits.first[k]
+    pair = hits.gathered[k]
+    t.touch.normal_x[0] = hits.normal_x[first]
+    t.touch.normal_y[0] = hits.normal_y[first]
+    total = along = x = y = speed = 0.0
+    for row in range(first, first + hits.rows[k]):
+        impulse = hits.impulse[row]
+        if impulse > 0.0:
+            note_given(t, pair, hits.x[row], hits.y[row], impulse, hits.along[row])
+            total += impulse
+            along += hits.along[row]
+            x += impulse * hits.x[row]
+            y += impulse * hits.y[row]
+            speed += impulse * hits.came[row]
+    if total <= 0.0:
+        return False
+    write_impact(t, pair, x / total, y / total, total, along, speed / total, time)
+    return True
