@@ -6,6 +6,7 @@ All that joints moved with the two has to be looked at too, each pair once.
 from engine.kernels.agenda import TOGETHER, enqueue
 from engine.kernels.circles import stillness
 from engine.kernels.following import closes_faster, turning
+from engine.kernels.gathering import is_ground
 from engine.kernels.impacts import explained_speed
 from engine.kernels.meeting import find_meeting, notice_passing, swing_of
 from engine.kernels.pose import place_pair
@@ -56,9 +57,7 @@ def is_deflected(t: Tables, row: int) -> bool:
     """Whether an impact may have changed the velocity of a body, and that is not one of a tree of
     hinges, all of which are looked at together.
     """
-    bodies = t.bodies
-    deflected = bodies.inverse_mass[row] > 0.0 or bodies.inverse_inertia[row] > 0.0
-    return deflected and bodies.bone[row] == 0
+    return t.bodies.bone[row] == 0 and not is_ground(t, row)
 
 
 def swerve(t: Tables, row: int) -> float:
