@@ -34,12 +34,15 @@ class Kind(Protocol[T_co]):
         """The same as a JSON Schema, as far as one can say it."""
 
 
-def wrong(node: Node, key: str, kind: Kind[object], code: str = "wrong-type") -> Refused:
+def wrong(
+    node: Node, key: str, kind: Kind[object], code: str = "wrong-type", help: str = ""
+) -> Refused:
     """'key' must be this kind, not what stands there."""
-    help = ""
-    if isinstance(node, ScalarNode) and node.is_text and not node.plain:
+    if isinstance(node, ScalarNode) and node.is_nothing:
+        code, help = "missing-value", ""
+    elif isinstance(node, ScalarNode) and node.is_text and not node.plain:
         bare = ScalarNode(node.place, node.text, plain=True)
-        help = "remove the quotes" if bare.is_number else ""
+        help = "remove the quotes" if bare.is_number else help
     return refuse(node.place, code, f"{quote(key)} must be {kind.name}, not {found(node)}", help)
 
 
@@ -112,7 +115,7 @@ class Number(NamedTuple):
         if isinstance(node, ScalarNode) and _ENDLESS.fullmatch(node.text):
             raise wrong(node, key, self, "not-finite")
         if not isinstance(node, ScalarNode) or not node.is_number:
-            raise wrong(node, key, self)
+            raise wrong(node, key, self, help=self._alone(node))
         value = node.number
         if not math.isfinite(value):
             raise wrong(node, key, self, "not-finite")
@@ -121,6 +124,12 @@ class Number(NamedTuple):
         if not self.low <= value <= self.high:
             raise wrong(node, key, self, "out-of-range")
         return int(value) if self.whole else value + 0.0
+
+    def _alone(self, node: Node) -> str:
+        """The help for a number with a unit, such as 2kg."""
+        if not isinstance(node, ScalarNode) or not _MEASURE.fullmatch(node.text):
+            return ""
+        return "write the number alone" + f", in {self.unit}" * bool(self.unit)
 
     def schema(self) -> Schema:
         schema: Schema = {"type": "integer" if self.whole else "number"}
@@ -148,7 +157,7 @@ class Time(NamedTuple):
         elif match := _TIME.fullmatch(node.text.strip()):
             seconds = float(Fraction(match["number"]) * _SECONDS[match["unit"]])
         else:
-            raise wrong(node, key, self, "bad-time")
+            raise wrong(node, key, self, "bad-time", "the units of time are ms, s and min")
         if not math.isfinite(seconds):
             raise wrong(node, key, self, "not-finite")
         if not 0 <= seconds <= self.longest:
@@ -168,6 +177,7 @@ _ENDLESS = re.compile(r"[-+]?\.?(inf|infinity|nan)", re.IGNORECASE)
 _TIME = re.compile(
     r"(?P<number>[-+]?([0-9]{1,12}\.?[0-9]{0,12}|\.[0-9]{1,12})) ?(?P<unit>ms|s|min)"
 )
+_MEASURE = re.compile(r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)? ?[^\s\d.,_][^\d]*")
 _SECONDS = {"ms": Fraction(1, 1000), "s": Fraction(1), "min": Fraction(60)}
 
 

@@ -81,7 +81,7 @@ def found(node: Node) -> str:
     """How a sentence names what stands there."""
     match node:
         case ListNode():
-            return "a list" if node.items else "an empty list"
+            return f"a list of {len(node.items)}" if node.items else "an empty list"
         case MapNode():
             return "a mapping" if node.entries else "an empty mapping"
         case ScalarNode() if node.is_nothing:

@@ -50,7 +50,7 @@ class OutputKind(NamedTuple):
         return "a path that ends in " + ", ".join(SUFFIXES) + " or /"
 
     def read(self, node: Node, key: str) -> tuple[Place, str]:
-        path = Text(1000).read(node, key)
+        path = _path(node, key)
         ends = path.casefold()
         if not ends.endswith((*SUFFIXES, "/")) or Path(path).name.startswith("."):
             raise refuse(
@@ -65,7 +65,19 @@ class OutputKind(NamedTuple):
 
     def schema(self) -> Schema:
         kinds = "|".join(suffix[1:] for suffix in SUFFIXES)
-        return {"type": "string", "pattern": rf"(\.({kinds})|/)$"}
+        return {"type": "string", "pattern": rf"^(?!~/).*(\.({kinds})|/)$"}
+
+
+def _path(node: Node, key: str) -> str:
+    path = Text(1000).read(node, key)
+    if path.startswith("~/"):
+        raise refuse(
+            node.place,
+            "bad-output",
+            f"{quote(path)} begins with '~', which stands for no folder here",
+            "write out the path",
+        )
+    return path
 
 
 def _hint(path: str) -> str:
@@ -107,14 +119,14 @@ class ScreenshotKind(NamedTuple):
         return "a path that ends in .png"
 
     def read(self, node: Node, key: str) -> str:
-        path = Text(1000).read(node, key)
+        path = _path(node, key)
         if not path.casefold().endswith(".png") or Path(path).name.startswith("."):
             raise wrong(node, key, self, "bad-output")
         self.folders.refuse_outside(path, self.folders.working, node.place)
         return path
 
     def schema(self) -> Schema:
-        return {"type": "string", "pattern": r"\.png$"}
+        return {"type": "string", "pattern": r"^(?!~/).*\.png$"}
 
 
 def clashes(

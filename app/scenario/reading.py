@@ -225,6 +225,8 @@ class _Builder:
                     )
                 )
             else:
+                if isinstance(value, ScalarNode) and value.plain and not value.text:
+                    value = value._replace(place=key.place)  # its own may be lines below
                 entries[key.text] = (key, value)
         if self.aliases and "<<" in entries:
             self.takes_keys_from_elsewhere = True
