@@ -3,6 +3,7 @@
 import hashlib
 import os
 from collections.abc import Sequence
+from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
 from types import TracebackType
@@ -32,6 +33,8 @@ class Deliverables:
         `pictures` are the paths of screenshots that will be taken.
         """
         self._film = film
+        self._begun = ExitStack()
+        """Puts away whatever is not finished, the last that was begun first."""
         self._sinks: dict[str, Sink] = {}
         self._reports: dict[str, Promise] = {}
         self._pictures: dict[str, Promise] = {}
@@ -41,10 +44,10 @@ class Deliverables:
             for path in pictures:
                 check_place(path)
         except OutputError as error:
-            self._put_away()
+            self._begun.close()
             raise NotBegun(str(error)) from error
         except BaseException:  # stopped while encoders are loaded
-            self._put_away()
+            self._begun.close()
             raise
 
     @property
@@ -68,11 +71,11 @@ class Deliverables:
         trace: TracebackType | None,
     ) -> None:
         """Leave nothing that is not finished."""
-        self._put_away()
+        self._begun.close()
 
     def picture(self, path: str, pixels: Pixels) -> None:
         """Write a screenshot, which gets its name once the run is done; raises OutputError."""
-        promise = self._pictures[path] = Promise(path)
+        promise = self._pictures[path] = self._promised(path)
         with explained(path):
             promise.part.write_bytes(png_bytes(pixels))
 
@@ -84,10 +87,9 @@ class Deliverables:
             shot = Path(os.path.realpath(path))
             outputs.append(Output(path, "png", shot.stat().st_size, _hash(shot)))
             watcher.wrote(outputs[-1])
-        for path in tuple(self._sinks):
+        for path, sink in self._sinks.items():
             watcher.finishing(path)
-            self._sinks[path].close()
-            del self._sinks[path]
+            sink.close()
             outputs.append(described(path, report.frames, self._film.fps))
             watcher.wrote(outputs[-1])
         films = tuple(outputs)
@@ -102,15 +104,15 @@ class Deliverables:
 
     def _begin(self, path: str) -> None:
         if kind_of(path) == REPORT:
-            self._reports[path] = Promise(path)
+            self._reports[path] = self._promised(path)
         else:
-            self._sinks[path] = open_sink(path, self._film, remote=True)
+            sink = self._sinks[path] = open_sink(path, self._film, remote=True)
+            self._begun.callback(sink.abort)
 
-    def _put_away(self) -> None:
-        for sink in self._sinks.values():
-            sink.abort()
-        for promise in (*self._pictures.values(), *self._reports.values()):
-            promise.drop()
+    def _promised(self, path: str) -> Promise:
+        promise = Promise(path)
+        self._begun.callback(promise.drop)
+        return promise
 
 
 def described(path: str, frames: int, fps: int) -> Output:

@@ -31,6 +31,8 @@ class ScenarioFailed(Exception):
         """Keep the mistake for whoever shows it."""
         super().__init__(str(mistake))
         self.mistake = mistake
+        self.unmet: Sequence[Mistake] = ()
+        """One for every `expect` before that did not hold."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,11 +71,19 @@ class Player:
         The next thing is worked out only when it is asked for, so that it can depend on what the
         one before did to the lesson.
         """
-        return self._play(self._scenario.steps)
+        try:
+            yield from self._play(self._scenario.steps)
+        except ScenarioFailed as failed:
+            failed.unmet = self.failures()
+            raise
 
     def failures(self) -> list[Mistake]:
         """One mistake for every `expect` that did not hold, in order."""
-        return [_unmet(check) for check in self.checks if not check.passed]
+        return [
+            _unmet(check)
+            for check in self.checks
+            if isinstance(check.step, model.Expect) and not check.passed
+        ]
 
     def _play(self, steps: Sequence[Step]) -> Iterator[Doing]:
         for step in steps:

@@ -5,11 +5,12 @@ from typing import Annotated
 import typer
 
 from app.cli import streams
+from app.cli.debugging import Debug
 
 
 def check(
     files: Annotated[list[str], typer.Argument(metavar="FILE...", help="Scenario files.")],
-    debug: Annotated[bool, typer.Option("--debug", help="Show tracebacks.")] = False,
+    debug: Debug = False,
 ) -> None:
     """Find every mistake in scenario files, without drawing anything.
 

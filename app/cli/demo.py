@@ -5,6 +5,7 @@ from typing import Annotated
 import typer
 
 from app.cli import streams
+from app.cli.debugging import Debug
 
 CHOSEN = (
     "inertia-rest-push-coast",
@@ -19,7 +20,7 @@ def demo(
         str, typer.Option("-o", "--output", metavar="FOLDER", help="Where the files go.")
     ] = "out",
     quiet: Annotated[bool, typer.Option("-q", "--quiet", help="No progress bar.")] = False,
-    debug: Annotated[bool, typer.Option("--debug", help="Show tracebacks.")] = False,
+    debug: Debug = False,
 ) -> None:
     """Make three films that teach Newton's three laws, and the numbers behind them.
 

@@ -3,9 +3,10 @@
 import typer
 
 from app.cli import streams
+from app.cli.debugging import Debug
 
 
-def doctor() -> None:
+def doctor(debug: Debug = False) -> None:
     """Look at this installation and say what is missing and which command mends it.
 
     Exits with 2 if something needed is broken. No ffmpeg, display or sound card is needed.

@@ -6,10 +6,12 @@ from typing import Annotated, Any
 import typer
 
 from app.cli import streams
+from app.cli.debugging import Debug
 
 
 def list_names(
     json: Annotated[bool, typer.Option("--json", help="As one JSON document.")] = False,
+    debug: Debug = False,
 ) -> None:
     """List screens, their widgets, probes and settings, and the shipped scenarios.
 

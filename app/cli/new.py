@@ -6,6 +6,7 @@ from typing import Annotated
 import typer
 
 from app.cli import streams
+from app.cli.debugging import Debug
 
 
 def new(
@@ -14,6 +15,7 @@ def new(
         str | None,
         typer.Option("-o", "--output", metavar="FILE", help="Where to; SCREEN.yaml if not given."),
     ] = None,
+    debug: Debug = False,
 ) -> None:
     """Write a commented scenario that works, to change as you like.
 
@@ -24,6 +26,7 @@ def new(
       laws new inertia
       laws new reactions -o lessons/collisions.yaml
     """  # noqa: D301
+    from app.outputs.promise import OutputError, promised
     from app.scenario.mistakes import suggest
     from assets import TEMPLATES
 
@@ -33,14 +36,14 @@ def new(
         raise typer.Exit(2)
     target = Path(output or f"{screen}.yaml")
     words = (TEMPLATES / f"{screen}.yaml").read_text(encoding="utf-8")
-    try:
-        with target.open("x", encoding="utf-8", newline="\n") as file:
-            file.write(words)
-    except FileExistsError:
+    if target.exists():
         streams.say(f"laws new: '{target}' is there already; choose another name with -o")
-        raise typer.Exit(2) from None
-    except OSError as error:
-        streams.say(f"laws new: cannot write '{target}': {error.strerror or error}")
-        raise typer.Exit(2) from None
+        raise typer.Exit(2)
+    try:
+        with promised(target) as part:
+            part.write_text(words, encoding="utf-8", newline="\n")
+    except OutputError as error:
+        streams.say(f"laws new: {error}")
+        raise typer.Exit(1) from None
     streams.result(str(target))
     streams.say(f"next: laws render {target}")

@@ -15,6 +15,7 @@ from app.installation import installed, pygame_trouble
 from app.outputs import OutputError
 from app.player import ScenarioFailed
 from app.render import Rendered, render
+from app.scenario.limits import pictures
 from app.scenario.load import Overrides
 from app.scenario.model import Scenario
 from app.watcher import Watcher
@@ -42,8 +43,10 @@ def _produce(
         show(mistakes, watcher.failed)
         return REFUSED
     scenarios = [with_output(scenario) for scenario in scenarios]
-    for path in written_twice(scenarios):
-        complain(f"'{path}' would be written by two of the files", watcher)
+    clashes = list(written_twice(scenarios))
+    for sentence in clashes:
+        complain(sentence, watcher)
+    if clashes:
         return REFUSED
     code = DONE
     for scenario in scenarios:
@@ -71,12 +74,12 @@ def attempt(scenario: Scenario, watcher: Watcher) -> tuple[int, Rendered | None]
         rendered = render(scenario, watcher, wish.insist)
     except NotBegun as error:
         complain(str(error), watcher)
-        return REFUSED, None
+        return FAILED, None
     except (OutputError, NothingFilmed, Diverged) as error:
         complain(f"{scenario.path}: {error}; no unfinished file is left", watcher)
         return FAILED, None
     except ScenarioFailed as failed:
-        show([failed.mistake], watcher.failed)
+        show([*failed.unmet, failed.mistake], watcher.failed)
         complain(f"{scenario.path}: stopped there; no output was written", watcher)
         return FAILED, None
     if rendered.failures:
@@ -106,10 +109,15 @@ def with_output(scenario: Scenario) -> Scenario:
 
 
 def written_twice(scenarios: Sequence[Scenario]) -> Iterator[str]:
-    """Outputs that two of the scenarios promise."""
+    """A sentence for each file that two of the scenarios would write, or that is one of them."""
+    sources = {os.path.realpath(scenario.path) for scenario in scenarios}
     taken: dict[str, str] = {}
     for scenario in scenarios:
-        for path in scenario.outputs:
-            other = taken.setdefault(os.path.realpath(path), scenario.path)
-            if other != scenario.path:
-                yield path
+        paths = (*scenario.outputs, *(shot.path for shot in pictures(scenario.steps)))
+        places = {os.path.realpath(path): path for path in paths}
+        for place, path in places.items():
+            if place in sources:
+                yield f"'{path}' would be written over a scenario"
+            if place in taken:
+                yield f"'{path}' would be written by {taken[place]} and by {scenario.path}"
+        taken |= dict.fromkeys(places, scenario.path)

@@ -6,6 +6,9 @@ from typing import Annotated
 
 import typer
 
+from app.cli import streams
+from app.cli.debugging import Debug
+
 laws = typer.Typer(
     name="laws",
     no_args_is_help=True,
@@ -39,7 +42,6 @@ def with_commands_for(arguments: Sequence[str]) -> typer.Typer:
 
 def _show_version(wanted: bool) -> None:
     if wanted:
-        from app.cli import streams
         from app.installation import own_version
 
         streams.result(f"laws {own_version()}")
@@ -52,7 +54,7 @@ def options(
         bool,
         typer.Option("--version", callback=_show_version, is_eager=True, help="Show the version."),
     ] = False,
-    debug: Annotated[bool, typer.Option("--debug", help="Show tracebacks.")] = False,
+    debug: Debug = False,
 ) -> None:
     """Recorded, reproducible demonstrations of Newton's laws.
 

@@ -5,6 +5,7 @@ from typing import Annotated
 import typer
 
 from app.cli import streams
+from app.cli.debugging import Debug
 
 
 def render(
@@ -29,7 +30,7 @@ def render(
         bool, typer.Option("--json", help="Tell what happens as JSON lines on stdout.")
     ] = False,
     quiet: Annotated[bool, typer.Option("-q", "--quiet", help="No progress bar.")] = False,
-    debug: Annotated[bool, typer.Option("--debug", help="Show tracebacks.")] = False,
+    debug: Debug = False,
 ) -> None:
     """Make the films, pictures and data that scenario files ask for.
 

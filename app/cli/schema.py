@@ -3,9 +3,10 @@
 import json
 
 from app.cli import streams
+from app.cli.debugging import Debug
 
 
-def schema() -> None:
+def schema(debug: Debug = False) -> None:
     """Print the JSON Schema of scenario files, for editors that complete and explain.
 
     \b

@@ -1,10 +1,12 @@
-"""Ctrl-C and a polite kill: both unwind the run, so that no unfinished file is left."""
+"""Ctrl-C, a polite kill, a closed terminal: they unwind the run, and no unfinished file is left."""
 
 import signal
 import sys
 from types import FrameType
 
-SIGNALS = (signal.SIGINT, signal.SIGTERM)
+SIGNALS = [signal.SIGINT, signal.SIGTERM]
+if sys.platform != "win32":
+    SIGNALS.append(signal.SIGHUP)
 
 
 class Stopped(BaseException):

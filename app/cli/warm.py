@@ -3,9 +3,10 @@
 import typer
 
 from app.cli import streams
+from app.cli.debugging import Debug
 
 
-def warm() -> None:
+def warm(debug: Debug = False) -> None:
     """Compile the physics into machine code and keep it for all later runs.
 
     Worlds that are large or run for long do so by themselves, in the background; this does it now.

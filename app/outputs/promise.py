@@ -181,3 +181,15 @@ class Promise:
             old.rename(self._target)
             raise
         shutil.rmtree(old, ignore_errors=True)
+
+
+@contextmanager
+def promised(path: str | os.PathLike[str]) -> Iterator[Path]:
+    """Where to write a file that gets its name `path` at the end; OutputError if it cannot."""
+    promise = Promise(path)
+    try:
+        with explained(path):
+            yield promise.part
+        promise.keep()
+    finally:
+        promise.drop()

@@ -49,6 +49,13 @@ def test_what_is_not_finished_is_put_away(tmp_path):
     assert everything_in(tmp_path) == []
 
 
+@pytest.mark.parametrize("names", [("a.gif", "a.csv", "a.json"), ("a.json", "a.csv", "a.gif")])
+def test_folders_that_were_made_for_them_are_put_away_too(names, tmp_path):
+    with Deliverables([str(tmp_path / "new/deep" / name) for name in names], [], FILM) as made:
+        made.picture(str(tmp_path / "new/shot.png"), picture(1))
+    assert everything_in(tmp_path) == []
+
+
 def test_a_report_names_the_files_beside_it_wherever_they_are(tmp_path):
     texts = []
     for name in ("here", "there"):

@@ -4,6 +4,8 @@ from pathlib import Path
 import pytest
 from command_line import PUSH, files, laws
 
+from app.cli.program import COMMANDS
+
 SCREENS = ("inertia", "forces", "reactions")
 
 
@@ -26,6 +28,12 @@ def test_every_command_has_help_with_examples(tmp_path):
         code, out, _ = laws(command, "--help", folder=tmp_path)
         assert code == 0
         assert f"Examples:\n    laws {command}" in out
+
+
+@pytest.mark.parametrize("command", sorted(COMMANDS))
+def test_every_command_can_be_asked_for_tracebacks(command, tmp_path):
+    code, out, _ = laws(command, "--debug", "--help", folder=tmp_path)
+    assert (code, "--debug" in out) == (0, True)
 
 
 def test_a_wrong_command_is_refused(tmp_path):
@@ -65,6 +73,14 @@ def test_new_overwrites_nothing(push, tmp_path):
     assert code == 2
     assert "is there already" in err
     assert push.read_text(encoding="utf-8") == PUSH
+
+
+def test_new_makes_the_folders_of_its_example(tmp_path):
+    code, out, _ = laws("new", "reactions", "-o", "lessons/hits.yaml", folder=tmp_path)
+    assert (code, out) == (0, "lessons/hits.yaml\n")
+    assert files(tmp_path) == ["lessons/hits.yaml"]
+    code, _, err = laws("new", "inertia", "-o", "lessons/hits.yaml/a.yaml", folder=tmp_path)
+    assert (code, err.startswith("laws new: cannot write lessons/hits.yaml/a.yaml: ")) == (1, True)
 
 
 def test_new_knows_the_nearest_screen(tmp_path):

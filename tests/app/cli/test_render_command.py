@@ -7,6 +7,7 @@ from command_line import PUSH, files, laws, start
 
 LONG = PUSH.replace("fps: 10", "fps: 60").replace("  - wait: 0.5s\n", "  - wait: 600s\n", 1)
 """Ten minutes of film: long enough to be stopped in the middle."""
+STOPPED = [(signal.SIGHUP, 129), (signal.SIGINT, 130), (signal.SIGTERM, 143)]
 
 
 @pytest.fixture
@@ -96,8 +97,39 @@ def test_two_files_may_not_write_the_same(push, tmp_path):
     other.write_text(PUSH + "output: out/push.mp4\n")
     code, _, err = laws("render", push, other, folder=tmp_path)
     assert code == 2
-    assert "'out/push.mp4' would be written by two of the files" in err
+    assert f"'out/push.mp4' would be written by {push} and by {other}" in err
     assert laws("render", push, other, "-o", "a.gif", folder=tmp_path)[0] == 2
+
+
+def test_every_clash_of_several_files_is_told(push, tmp_path):
+    push.write_text(PUSH + "  - screenshot: shot.png\n")
+    code, out, err = laws("render", push, push, folder=tmp_path)
+    assert (code, out) == (2, "")
+    assert "'out/push.mp4' would be written by" in err
+    assert "'shot.png' would be written by" in err
+    assert files(tmp_path) == ["push.yaml"]
+
+
+def test_no_output_replaces_a_scenario(tmp_path):
+    """YAML can be written as JSON, and reports end in .json too."""
+    mine = tmp_path / "mine.json"
+    mine.write_text("{laws: 1, screen: inertia, output: mine.json, steps: [{wait: 1s}]}")
+    words = mine.read_text()
+    code, _, err = laws("render", "mine.json", folder=tmp_path)
+    assert (code, err) == (2, "laws: 'mine.json' would be written over a scenario\n")
+    assert mine.read_text() == words
+
+
+def test_a_failed_until_does_not_hide_what_failed_before(push, tmp_path):
+    push.write_text(
+        PUSH.replace("near: 0.75", "near: 3")
+        + "  - until: {probe: body.speed, above: 9, within: 0.1s}\n"
+    )
+    code, _, err = laws("render", push, "-o", "a.csv", folder=tmp_path)
+    assert code == 1
+    assert "push.yaml:14:5: error[expect-failed]: body.speed should be near 3" in err
+    assert "push.yaml:16:5: error[until-failed]" in err
+    assert "2 mistakes in 1 file" in err
 
 
 def test_a_place_that_cannot_be_written_to_is_found_before_the_first_frame(push, tmp_path):
@@ -105,7 +137,7 @@ def test_a_place_that_cannot_be_written_to_is_found_before_the_first_frame(push,
     begun = time.monotonic()
     push.write_text(LONG)
     code, out, err = laws("render", push, "-o", "a.csv", "-o", "file/a.gif", folder=tmp_path)
-    assert (code, out) == (2, "")
+    assert (code, out) == (1, "")
     assert err.startswith("laws: cannot write file/a.gif: ")
     assert time.monotonic() - begun < 60
     assert files(tmp_path) == ["file", "push.yaml"]
@@ -119,7 +151,9 @@ def test_a_film_without_a_frame_is_refused(push, tmp_path):
     assert files(tmp_path) == ["push.yaml"]
 
 
-@pytest.mark.parametrize(("number", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
+@pytest.mark.parametrize(
+    ("number", "code"), STOPPED
+)
 def test_stopping_leaves_no_file(number, code, push, tmp_path):
     push.write_text(LONG)
     (tmp_path / "a.gif").write_bytes(b"the old one")

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from app.outputs.promise import OutputError, Promise, check_place, explained
+from app.outputs.promise import OutputError, Promise, check_place, explained, promised
 
 
 def names(folder: Path) -> list[str]:
@@ -163,3 +163,14 @@ def test_a_place_without_permission_is_found_before_anything_is_made(
 def test_an_error_without_a_sentence_of_ours_keeps_the_systems() -> None:
     with pytest.raises(OutputError, match="Input/output error"), explained("film.gif"):
         raise OSError(errno.EIO, "Input/output error")
+
+
+def test_a_file_that_cannot_be_written_leaves_nothing(tmp_path: Path) -> None:
+    def write() -> None:
+        with promised(tmp_path / "new/a") as part:
+            part.write_text("half")
+            raise OSError(errno.ENOSPC, "No space left on device")
+
+    with pytest.raises(OutputError, match="the disk is full"):
+        write()
+    assert list(tmp_path.iterdir()) == []
