@@ -12,6 +12,7 @@ from screens.kit.events import Event, Resize, Tap, Tick, Tilt
 from screens.kit.geometry import Point, Rect, Size
 from screens.kit.impulses import Mark
 from screens.kit.layout import GAP, TOUCH, Layout, layout, rows
+from screens.kit.numbers import UNKNOWN
 from screens.kit.view import View, room_of
 from screens.kit.widgets import NAVIGATION, navigation, touched
 from screens.kit.words import Words
@@ -240,6 +241,7 @@ class Reactions:
             page.value(surface, last, self._impulse(self.last_hit), theme.ORANGE)
         else:
             page.heading(surface, last, words("reactions.last"))
+            page.value(surface, last, UNKNOWN, theme.TEXT_MEDIUM)
 
     def _impulse(self, hit: Collision) -> str:
         return page.measured(hits.size(hit.impulse), self.words("unit.impulse"), 2)

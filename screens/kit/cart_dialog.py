@@ -235,7 +235,9 @@ class CartDialog:
         """The force, as an arrow that grows with it and as a number."""
         words, place = self.words, self.force_row
         shown = page.chosen(self.force, words("unit.N"))
-        label, number = Point(place.x, place.y + 14), Point(place.right, place.y + 14)
+        # On a dialog that lies across, the buttons leave room for the arrow only.
+        line = place.y + (14 if self._upright else 8)
+        label, number = Point(place.x, line), Point(self.panel.right - 24, line)
         surface.text(words("cart.force"), label, theme.BODY, NAME, valign="middle")
         surface.text(shown, number, theme.BIG_VALUE, theme.ORANGE, align="right", valign="middle")
         y, longest = place.y + 48, place.width - 4

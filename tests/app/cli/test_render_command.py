@@ -151,9 +151,7 @@ def test_a_film_without_a_frame_is_refused(push, tmp_path):
     assert files(tmp_path) == ["push.yaml"]
 
 
-@pytest.mark.parametrize(
-    ("number", "code"), STOPPED
-)
+@pytest.mark.parametrize(("number", "code"), STOPPED)
 def test_stopping_leaves_no_file(number, code, push, tmp_path):
     push.write_text(LONG)
     (tmp_path / "a.gif").write_bytes(b"the old one")
