@@ -5,7 +5,6 @@ from pathlib import Path
 ROOT = Path(__file__).parent
 
 FONTS = ROOT / "fonts"
-ICONS = ROOT / "icons"
 SCENARIOS = ROOT / "scenarios"
 TEXT = ROOT / "text"
 TEMPLATES = ROOT / "templates"

@@ -17,6 +17,11 @@ def main() -> None:
     streams.prepare()
     debug = "--debug" in sys.argv
     try:
+        os.getcwd()
+    except OSError:
+        streams.say("laws: the working folder is gone; change into another")
+        sys.exit(2)
+    try:
         wish.heed_signals()
         from app.cli import program  # takes time, in which Ctrl-C may come already
 

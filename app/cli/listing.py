@@ -13,7 +13,7 @@ def list_names(
     json: Annotated[bool, typer.Option("--json", help="As one JSON document.")] = False,
     debug: Debug = False,
 ) -> None:
-    """List screens, their widgets, probes and settings, and the shipped scenarios.
+    """List screens, their widgets, probes and settings, the steps, and the shipped scenarios.
 
     \b
     Examples:
@@ -22,7 +22,7 @@ def list_names(
     """  # noqa: D301
     from app.json_text import dumps
 
-    everything = {"screens": _screens(), "scenarios": _scenarios()}
+    everything = {"screens": _screens(), "steps": _steps(), "scenarios": _scenarios()}
     streams.result(dumps(everything) if json else _as_text(everything))
 
 
@@ -33,6 +33,7 @@ def _screens() -> list[dict[str, Any]]:
         {
             "id": screen,
             "widgets": list(of_screen(screen).widgets),
+            "fields": list(of_screen(screen).fields),
             "probes": list(of_screen(screen).probes),
             "settings": [
                 {
@@ -48,6 +49,17 @@ def _screens() -> list[dict[str, Any]]:
             ],
         }
         for screen in SCREENS
+    ]
+
+
+def _steps() -> list[dict[str, str]]:
+    from app.scenario.schema import schema
+
+    definitions: dict[str, dict[str, str]] = schema()["definitions"]
+    return [
+        {"name": name.removesuffix("-step"), "about": definition["description"]}
+        for name, definition in definitions.items()
+        if name.endswith("-step")
     ]
 
 
@@ -73,12 +85,17 @@ def _as_text(everything: dict[str, Any]) -> str:
     for screen in everything["screens"]:
         rows += [f"screen {screen['id']}", "  widgets to tap or drag"]
         rows += _wrapped(screen["widgets"])
+        if screen["fields"]:
+            rows.append("  fields to fill")
+            rows += _wrapped(screen["fields"])
         rows.append("  probes for expect and until")
         rows += _wrapped(screen["probes"])
         rows.append("  settings for set: and --set")
         rows += [f"    {_setting(setting)}" for setting in screen["settings"]]
         rows.append("")
-    rows.append("shipped scenarios")
+    rows.append("steps")
+    rows += [f"  {step['name']:<11} {step['about']}" for step in everything["steps"]]
+    rows += ["", "shipped scenarios"]
     rows += [
         f"  {scenario['path']}\n      {scenario['title']}" for scenario in everything["scenarios"]
     ]

@@ -23,7 +23,11 @@ COMMANDS = {
     "render": ("app.cli.render", "render", "Films, pictures and data from scenario files."),
     "check": ("app.cli.check", "check", "Every mistake in scenario files, at once."),
     "new": ("app.cli.new", "new", "A commented scenario to start from."),
-    "list": ("app.cli.listing", "list_names", "All names: screens, widgets, probes, settings."),
+    "list": (
+        "app.cli.listing",
+        "list_names",
+        "All names: widgets, probes, settings, steps and more.",
+    ),
     "schema": ("app.cli.schema", "schema", "The JSON Schema of scenario files."),
     "warm": ("app.cli.warm", "warm", "Compile the physics ahead."),
     "doctor": ("app.cli.doctor", "doctor", "Is everything installed, and what if not?"),

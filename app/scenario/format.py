@@ -209,9 +209,9 @@ def _showing(context: Context) -> dict[str, StepKind]:
     """What is made of the picture."""
     return {
         "caption": StepKind(
-            Text(300, may_be_empty=True),
-            "Words on the film until the next caption; nothing takes them away.",
-            model.Caption,
+            Text(300, may_be_empty=True, is_drawn=True),
+            "Words on the film until the next caption; an empty one takes them away.",
+            lambda place, words: model.Caption(place, words.strip()),
             bare=True,
         ),
         "marker": StepKind(Text(100), "A name for this moment in the report.", model.Marker),

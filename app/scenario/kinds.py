@@ -11,6 +11,7 @@ from typing import Any, Generic, NamedTuple, Protocol, TypeVar
 
 from app.scenario.mistakes import Mistake, Refused, nearest, quote, refuse, suggest
 from app.scenario.nodes import ListNode, MapNode, Node, ScalarNode, found
+from screens.kit.characters import drawable
 from screens.kit.geometry import Point
 
 Schema = dict[str, Any]
@@ -58,6 +59,8 @@ class Text(NamedTuple):
     """Characters at most."""
     may_be_empty: bool = False
     """Then nothing at all counts as an empty text."""
+    is_drawn: bool = False
+    """Then it holds only what the fonts have."""
 
     @property
     def name(self) -> str:
@@ -86,6 +89,15 @@ class Text(NamedTuple):
                 node.place,
                 "control-character",
                 f"{quote(key)} holds the character U+{ord(odd[0]):04X}, which cannot be shown",
+            )
+        lacking = [c for c in node.text if c.isprintable() and c not in drawable()]
+        if self.is_drawn and lacking:
+            raise refuse(
+                node.place,
+                "no-glyph",
+                f"{quote(key)} holds '{lacking[0]}' (U+{ord(lacking[0]):04X}), "
+                "which the fonts do not have",
+                "they have Latin, Greek and Cyrillic letters, arrows and signs of mathematics",
             )
         return node.text
 

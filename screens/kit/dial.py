@@ -17,12 +17,10 @@ if TYPE_CHECKING:
     from screens.kit.surface import Surface
 
 STRONGEST = 6.0
-"""What the arrow can be drawn out to (N)."""
+"""What the arrow can be drawn out to (N), unless it begins with more."""
 HUB = 30.0
 """From the middle to the tail of the arrow: the body's outline (dp)."""
-PER_NEWTON = 15.0
-"""How much longer the arrow is for each newton (dp/N)."""
-RIM = HUB + STRONGEST * PER_NEWTON
+RIM = 120.0
 """From the middle to the tip of the strongest arrow (dp)."""
 LOWERED = 26.0
 """How far below the middle of an upright screen the dialog lies (dp)."""
@@ -46,6 +44,8 @@ class ForceDial:
         self.size = size
         self.closed = False
         self.accepted = False
+        self.strongest = max(STRONGEST, float(math.ceil(self.strength)))
+        """What the arrow can be drawn out to (N)."""
         self._direction = force.angle
         self._held = ""
 
@@ -168,8 +168,11 @@ class ForceDial:
     @property
     def tip(self) -> Point:
         """Where the arrow ends (dp); on the body's outline if there is no force."""
-        reach = min(HUB + self.strength * PER_NEWTON, RIM)
-        return self._at(reach)
+        return self._at(self._reach(self.strength))
+
+    def _reach(self, newtons: float) -> float:
+        """From the centre to the tip of an arrow of some strength (dp)."""
+        return HUB + (RIM - HUB) * newtons / self.strongest
 
     def _at(self, reach: float) -> Point:
         """On the arrow's line, so far from the centre (dp)."""
@@ -188,7 +191,8 @@ class ForceDial:
         """Let the arrow end at a point, or as near to it as it can."""
         x, y = at.x - self.center.x, self.center.y - at.y
         reach = math.sqrt(x * x + y * y)
-        steps = round(min(max((reach - HUB) / PER_NEWTON, 0.0), STRONGEST) / STEP)
+        part = min(max((reach - HUB) / (RIM - HUB), 0.0), 1.0)
+        steps = round(part * self.strongest / STEP)
         degrees = round(math.degrees(Vector(x, y).angle)) % 360
         self._direction = math.radians(degrees)
         self.force = polar(steps / round(1 / STEP), degrees)
@@ -196,11 +200,11 @@ class ForceDial:
     def _draw_rings(self, surface: "Surface") -> None:
         """Circles at half and at full strength, with a mark every 30 degrees."""
         center = self.center
-        for newtons in (STRONGEST / 2, STRONGEST):
-            radius = HUB + newtons * PER_NEWTON
+        for newtons in (self.strongest / 2, self.strongest):
+            radius = self._reach(newtons)
             surface.circle(center, radius, None, outline=RING, outline_width=1)
             label = Point(center.x + radius * DIAGONAL + 4, center.y + radius * DIAGONAL + 6)
-            words = quantity(newtons, self.words("unit.N"))
+            words = quantity(newtons, self.words("unit.N"), 0 if newtons.is_integer() else 1)
             surface.text(words, label, theme.SMALL, theme.TEXT_MEDIUM, valign="middle")
         for turn in range(12):
             x, y = Vector.polar(1.0, math.pi * turn / 6)

@@ -9,6 +9,7 @@ import pytest
 from fontTools.ttLib import TTFont
 
 from screens.kit import theme
+from screens.kit.characters import drawable
 from screens.kit.sdl import pygame
 from screens.kit.text import CAP_HEIGHT, FILES, Type
 from screens.kit.theme import MEDIUM, REGULAR, SEMIBOLD
@@ -33,6 +34,12 @@ def test_every_character_of_the_app_is_in_the_font(weight):
         used += texts(tomllib.loads(file.read_text("utf-8")))
     lacking = sorted({c for c in used if c.isprintable() and ord(c) not in shown})
     assert lacking == []
+
+
+@pytest.mark.parametrize("weight", sorted(FILES))
+def test_the_list_of_characters_is_that_of_the_fonts(weight):
+    shown = TTFont(ASSETS / "fonts" / FILES[weight]).getBestCmap()
+    assert drawable() == {chr(number) for number in shown}
 
 
 @pytest.mark.parametrize("weight", [REGULAR, MEDIUM, SEMIBOLD])

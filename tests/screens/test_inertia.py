@@ -5,11 +5,13 @@ import math
 import pytest
 from hand import LANDSCAPE, PORTRAIT, drag, feed, ids, lesson, rect, tap, wait
 
-from screens.kit.dial import HUB, PER_NEWTON, STRONGEST
+from screens.kit.dial import HUB, RIM, STRONGEST
 from screens.kit.events import Drag, Key, Resize, Tap
 from screens.kit.geometry import Point
 
 PUSH = {"body.sides": 5, "body.mass": 2.0, "force.x": 3.0, "force.y": 0.0}
+PER_NEWTON = (RIM - HUB) / STRONGEST
+"""Of the arrow in the dialog (dp/N)."""
 
 
 def test_a_body_at_rest_stays_at_rest() -> None:
@@ -154,3 +156,15 @@ def test_after_a_resize_the_room_is_the_same_and_the_dialog_still_works() -> Non
     assert inertia.dialog.force == (2.0, 0.0)
     feed(inertia, Tap(rect(inertia, "dialog.accept").center))
     assert inertia.probes()["force.x"] == 2.0
+
+
+def test_the_dial_shows_a_force_that_is_stronger_than_its_own() -> None:
+    """Both parts of a force may be 6 N, together 8.5 N: the arrow ends between half and full."""
+    inertia = lesson("inertia", {"force.x": 6.0, "force.y": 6.0})
+    tap(inertia, "force.change")
+    dial = inertia.dialog
+    tip = dial.tip
+    reach = math.dist(tip, dial.center)
+    assert (reach - HUB) / (RIM - HUB) == pytest.approx(math.sqrt(72.0) / 9.0)
+    drag(inertia, "force.arrow", tip)
+    assert dial.strength == pytest.approx(8.5)

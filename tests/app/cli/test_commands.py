@@ -1,4 +1,7 @@
 import json
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -83,6 +86,21 @@ def test_new_makes_the_folders_of_its_example(tmp_path):
     assert (code, err.startswith("laws new: cannot write lessons/hits.yaml/a.yaml: ")) == (1, True)
 
 
+@pytest.mark.skipif(os.name == "nt", reason="there, a folder that is used cannot be removed")
+def test_a_working_folder_that_is_gone_is_no_riddle(tmp_path):
+    program = (
+        "import os, shutil, sys; shutil.rmtree(os.getcwd()); sys.argv = ['laws', 'list']\n"
+        "from app.cli import main; main()"
+    )
+    gone = tmp_path / "gone"
+    gone.mkdir()
+    done = subprocess.run(
+        [sys.executable, "-c", program], cwd=gone, capture_output=True, text=True, check=False
+    )
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == "laws: the working folder is gone; change into another\n"
+
+
 def test_new_knows_the_nearest_screen(tmp_path):
     code, _, err = laws("new", "reaction", folder=tmp_path)
     assert code == 2
@@ -95,6 +113,8 @@ def test_list_names_what_a_scenario_can_use(tmp_path):
     assert code == 0
     for name in ("force.toggle", "cart.a.finish_time", "particle.N.x", "body.restitution"):
         assert name in out
+    for heading in ("steps\n  tap ", "  fields to fill\n    mass acceleration\n"):
+        assert heading in out
 
 
 def test_list_as_json(tmp_path):
@@ -103,6 +123,7 @@ def test_list_as_json(tmp_path):
     settings = {row["name"]: row for row in everything["screens"][0]["settings"]}
     assert settings["body.mass"]["unit"] == "kg"
     assert {row["screen"] for row in everything["scenarios"]} == set(SCREENS)
+    assert {"tap", "wait", "repeat"} <= {row["name"] for row in everything["steps"]}
 
 
 def test_schema_is_json_schema(tmp_path):

@@ -294,3 +294,9 @@ def test_a_file_with_any_changes_is_read_or_refused(data):
     else:
         sentences = ["none"]
     assert all(sentences)
+
+
+def test_white_space_around_a_caption_does_not_count(folder):
+    """A block of YAML ends in a line break, which would take a line of the picture."""
+    path = write("a.yaml", SHORT.format("inertia") + "  - caption: |\n      One.\n      Two.\n\n")
+    assert load(path).steps[-1].text == "One.\nTwo."

@@ -26,7 +26,7 @@ UNSEEN = {
         "directive",
         "tab",
     ),
-    *("syntax", "not-utf8", "empty-file", "control-character", "too-large"),
+    *("syntax", "not-utf8", "empty-file", "control-character", "too-large", "no-glyph"),
     # of several values together, of other files, of the screen at that moment
     *("bad-size", "bad-time", "missing-key", "double-output", "outside-folder", "include-loop"),
     *("other-screen", "no-file", "too-many-steps", "too-long", "no-target", "no-effect"),
