@@ -103,11 +103,11 @@ class Camera:
         self._picture = None
 
     def finish(self, lesson: Lesson) -> None:
-        """Film the last state; raises NothingFilmed if the whole film would be empty."""
+        """Film the last state; raises NothingFilmed if a film would be empty."""
         if not self.hidden:
             for index in self.clock.finish():
                 self._film(lesson, index)
-        if not self.clock.frames:
+        if self._sinks and not self.clock.frames:
             raise NothingFilmed("the film has no frames: all of it is hidden")
 
     def picture(self, lesson: Lesson) -> Pixels:

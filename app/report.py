@@ -28,7 +28,7 @@ class Output:
     path: str
     """As it was asked for."""
     kind: str
-    """Its suffix without the dot, or `frames` for a folder of them."""
+    """Its suffix without the dot; `png` for a folder of frames."""
     size: int
     """In bytes."""
     sha256: str

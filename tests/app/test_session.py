@@ -60,6 +60,15 @@ def test_a_film_that_is_hidden_from_the_first_frame_is_refused(run):
         run([Hide(HERE, "film"), Tick()])
 
 
+def test_who_wants_the_numbers_alone_may_hide_everything():
+    collector = Collector()
+    camera = Camera(FakeSurface(), Overlay(load_words()), [], 60)
+    session = Session(FakeLesson(), camera, [collector.moment], lambda cue: None)
+    session.run([Hide(HERE, "film"), Tick()])
+    assert len(collector.moments) == 2
+    assert camera.clock.frames == 0
+
+
 def test_slow_motion_draws_each_state_once(run):
     made = run([Speed(HERE, 0.25), Tick(), Tick()])
     assert made.shown == [0] * 4 + [1] * 4 + [2]
