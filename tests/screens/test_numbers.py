@@ -7,6 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from screens.kit.numbers import number, quantity
+from screens.kit.page import chosen
 
 
 @pytest.mark.parametrize(
@@ -37,3 +38,21 @@ def test_what_is_read_back_is_the_rounded_number(value, digits):
     )
     assert "-" not in words
     assert words.strip("\u22120.") or "\u2212" not in words
+
+
+@pytest.mark.parametrize(
+    ("value", "words"),
+    [
+        (2.0, "2.0"),
+        (31.875, "31.875"),
+        (1 / 3, "0.333"),
+        (0.0, "0.0"),
+        (0.001, "0.001"),
+        (0.0004, "0.0004"),
+        (0.513 * 0.001, "0.00051"),
+        (0.501 * 0.01, "0.00501"),
+    ],
+)
+def test_a_chosen_number_is_shown_as_it_is(value, words):
+    """A mass of 0.513 kg at 0.001 m/s^2 needs half a thousandth of a newton, not a whole one."""
+    assert chosen(value, "") == words

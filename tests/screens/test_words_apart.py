@@ -70,7 +70,7 @@ def test_forces(size: Size, words: dict[Rect, str]) -> None:
         "cart.a.mass": 9.999,
         "cart.a.acceleration": 4.999,
         "cart.b.mass": 0.501,
-        "cart.b.acceleration": 0.001,
+        "cart.b.acceleration": 0.00123,
     }
     forces = lesson("forces", settings, size)
     check(forces, words)
