@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from app.formats import SUFFIXES
+from app.formats import SUFFIXES, kind_of
 from app.scenario.kinds import Schema, Text, read_all, wrong
 from app.scenario.mistakes import Mistake, Place, quote, refuse
 from app.scenario.nodes import ListNode, MapNode, Node
@@ -51,6 +51,14 @@ class OutputKind(NamedTuple):
 
     def read(self, node: Node, key: str) -> tuple[Place, str]:
         path = _path(node, key)
+        *others, _ = path.split(", ")
+        if any(map(kind_of, others)):
+            raise refuse(
+                node.place,
+                "bad-output",
+                f"{quote(path)} looks like several outputs",
+                f"make it a list: [{path}]",
+            )
         ends = path.casefold()
         if not ends.endswith((*SUFFIXES, "/")) or Path(path).name.startswith("."):
             raise refuse(
@@ -65,7 +73,7 @@ class OutputKind(NamedTuple):
 
     def schema(self) -> Schema:
         kinds = "|".join(suffix[1:] for suffix in SUFFIXES)
-        return {"type": "string", "pattern": rf"^(?!~/).*(\.({kinds})|/)$"}
+        return {"type": "string", "pattern": rf"^(?!~/)(?!.*(\.({kinds})|/), ).*(\.({kinds})|/)$"}
 
 
 def _path(node: Node, key: str) -> str:
