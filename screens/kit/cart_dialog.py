@@ -21,7 +21,8 @@ ACCELERATION = (0.0, 5.0)
 """Range of the acceleration (m/s^2)."""
 STEP = 0.1
 """Of both sliders (kg, m/s^2)."""
-FIELD = Size(92.0, TOUCH)
+FIELD = Size(120.0, TOUCH)
+"""It holds 0.00123 m/s²."""
 NAME = theme.mix(theme.WHITE, 0.7, theme.DIALOG)
 UNITS = {"mass": "unit.kg", "acceleration": "unit.acceleration"}
 ROW = 92.0

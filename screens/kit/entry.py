@@ -4,6 +4,7 @@ import math
 from typing import Literal
 
 from screens.kit.geometry import Rect
+from screens.kit.numbers import digits_of
 
 Refusal = Literal["", "range", "number"]
 """Why a text was not taken as it is: outside of the range, or not a number."""
@@ -64,6 +65,8 @@ class Entry:
         What lies outside of the range becomes its nearest end; what is no number leaves the value
         as it was; `refusal` then says so.
         """
+        if self.selected:  # nothing was typed: what is shown may be rounded
+            self.text, self.selected = None, False
         if self.text is None:
             return
         number = _number(self.text)
@@ -76,11 +79,10 @@ class Entry:
 
     @property
     def shown(self) -> str:
-        """The text in the field: what is typed, or the value with as few digits as are true."""
+        """The text in the field: what is typed, or the value."""
         if self.text is not None:
             return self.text
-        short = f"{self.value:.1f}"
-        return short if float(short) == self.value else f"{self.value:.4g}"
+        return f"{self.value:.{digits_of(self.value)}f}"
 
 
 def _number(text: str) -> float:

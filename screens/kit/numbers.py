@@ -6,6 +6,8 @@ MINUS = "\u2212"
 THIN_SPACE = "\u2009"
 INFINITY = "\u221e"
 UNKNOWN = "\u2013"
+MOST_DIGITS, MOST_OF_SMALL = 3, 5
+"""Decimals that a chosen number is shown with at most; one below 0.1 needs more."""
 TIGHT_UNITS = ("°", "%")
 """Units that stand directly at the number."""
 
@@ -27,3 +29,11 @@ def quantity(value: float, unit: str, digits: int = 0) -> str:
         return number(value, digits)
     gap = "" if unit in TIGHT_UNITS else THIN_SPACE
     return number(value, digits) + gap + unit
+
+
+def digits_of(value: float) -> int:
+    """With how many decimals a chosen number is shown: one, or as many as it has, up to a limit."""
+    digits, most = 1, MOST_DIGITS if abs(value) >= 0.1 else MOST_OF_SMALL
+    while digits < most and abs(round(value, digits) - value) > 1e-9:
+        digits += 1
+    return digits

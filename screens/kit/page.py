@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from screens.kit import theme
 from screens.kit.geometry import Point, Rect
 from screens.kit.layout import Layout
-from screens.kit.numbers import quantity
+from screens.kit.numbers import digits_of, quantity
 from screens.kit.theme import Color
 from screens.kit.widgets import navigation
 from screens.kit.words import Words
@@ -20,8 +20,6 @@ NUMERALS = ("I", "II", "III")
 INDICATOR = 56.0, 24.0
 """Width and height of the mark behind the numeral of the lesson that is shown (dp)."""
 FORMULA = theme.Style(10, theme.MEDIUM, 14)
-MOST_DIGITS, MOST_OF_SMALL = 3, 5
-"""Decimals that a chosen number is shown with at most; one below 0.1 needs more."""
 
 
 def page(surface: "Surface", area: Layout, words: Words, id: str) -> None:
@@ -120,10 +118,7 @@ def measured(number: float, unit: str, digits: int) -> str:
 
 def chosen(number: float, unit: str) -> str:
     """A number that was chosen, with one decimal, or as many as it really has, up to a limit."""
-    digits, most = 1, MOST_DIGITS if abs(number) >= 0.1 else MOST_OF_SMALL
-    while digits < most and abs(round(number, digits) - number) > 1e-9:
-        digits += 1
-    return quantity(number, unit, digits)
+    return quantity(number, unit, digits_of(number))
 
 
 def shares(rect: Rect, parts: Sequence[float]) -> list[Rect]:

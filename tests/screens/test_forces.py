@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from screens.forces import CART, RIGHT, TRACK
-from screens.kit import arrows
+from screens.kit import arrows, theme
 from screens.kit.canvas import Canvas
 from screens.kit.cart_dialog import ACCELERATION, MASS
 from screens.kit.events import Key
@@ -208,3 +208,23 @@ def test_the_head_of_a_velocity_is_in_sight_until_the_cart_leaves(
             assert tip < RIGHT
             slid += tail < x + CART / 2 - 1e-9
     assert slid > 0
+
+
+def test_a_field_that_is_only_looked_at_keeps_its_value() -> None:
+    """It shows 1.235; to accept that would change what an author has chosen."""
+    forces = prepared(1.23456, 2.0, 1.0, 1.0)
+    tap(forces, "cart.a")
+    tap(forces, "mass.field")
+    tap(forces, "dialog.accept")
+    assert forces.probes()["cart.a.mass"] == 1.23456
+
+
+@pytest.mark.parametrize("size", [PORTRAIT, LANDSCAPE])
+def test_small_numbers_fit_into_their_field(size) -> None:
+    forces = lesson("forces", {"cart.a.acceleration": 0.00123}, size)
+    tap(forces, "cart.a")
+    place, surface = forces.dialog.field("acceleration"), Surface(int(size.width), int(size.height))
+    shown, unit = forces.dialog.entries["acceleration"].shown, forces.words("unit.acceleration")
+    assert shown == "0.00123"
+    words = surface.measure(shown, theme.VALUE).width + surface.measure(unit, theme.BODY).width
+    assert words + 19 <= place.width  # with the borders and the gaps
