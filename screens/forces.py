@@ -27,7 +27,9 @@ TRACK = 4.0
 LANES = {"a": 1.5, "b": -1.5}
 """Height of the lanes (y, m). The carts move along x and never meet."""
 LEFT, RIGHT = -0.6, 6.4
-"""What of a lane is in sight (x, m)."""
+"""What of a lane is in sight (x, m); more in a picture so wide that a cart would be too high."""
+HEAD = 28.0
+"""Height of the words in a lane (dp)."""
 MARK = TRACK + CART / 2
 """Where the end mark is drawn: the front of a cart passes it when its middle is at TRACK (x, m)."""
 PER_NEWTON, PER_SPEED = 0.3, 0.25
@@ -196,10 +198,11 @@ class Forces:
         return upper if lane == "a" else lower
 
     def view(self, lane: str) -> View:
-        """A lane on the screen: always of the same length, as high as there is room for."""
-        rect = self.lane(lane)
-        half = (RIGHT - LEFT) * rect.height / rect.width / 2
-        return View(rect, Room(LEFT, LANES[lane] - half, RIGHT, LANES[lane] + half))
+        """A lane on the screen: as high as there is room for, its cart below the words."""
+        rect, y = self.lane(lane), LANES[lane]
+        scale = min(rect.width / (RIGHT - LEFT), (rect.height - 2 * HEAD) / CART)
+        long, half = rect.width / scale, rect.height / scale / 2
+        return View(rect, Room(LEFT, y - half, LEFT + long, y + half))
 
     def draw(self, surface: "Surface") -> None:
         """Draw what is."""
@@ -267,16 +270,16 @@ class Forces:
         """A cart with its arrows; once it has passed the mark, the time it took."""
         words, view, body = self.words, self.view(cart.lane), cart.body
         canvas = Canvas(surface, view.rect, view.room)
-        canvas.labels.block(Rect(view.rect.x, view.rect.y, view.rect.width, 28.0))
-        front = body.x + CART / 2
-        if front < RIGHT + 2 * CART:
+        canvas.labels.block(view.rect._replace(height=HEAD))
+        front, end = body.x + CART / 2, view.room.right
+        if front < end + 2 * CART:
             mass = page.chosen(body.mass, words("unit.kg"))
             if len(mass) > FITS:
                 mass = page.chosen(body.mass, "")
             canvas.body(body, theme.TEAL, opacity(body.mass, *MASS), mass, over=(canvas.rect,))
             # Its head stays in sight until the cart leaves.
             reach = body.vx * PER_SPEED
-            tail = max(min(front, RIGHT - CLEAR - reach), front - CART)
+            tail = max(min(front, end - CLEAR - reach), front - CART)
             canvas.arrow((tail, body.y - ASIDE), (reach * view.scale, 0.0), arrows.VELOCITY)
         if cart.force > 0.0 and cart.finish_time is None:
             reach = cart.force * self._per_newton() * view.scale

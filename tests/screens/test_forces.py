@@ -7,12 +7,12 @@ from hand import LANDSCAPE, PORTRAIT, drag, feed, fill, ids, lesson, rect, tap, 
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from screens.forces import CART, RIGHT, TRACK
+from screens.forces import CART, HEAD, LANES, RIGHT, TRACK
 from screens.kit import arrows, theme
 from screens.kit.canvas import Canvas
 from screens.kit.cart_dialog import ACCELERATION, MASS
 from screens.kit.events import Key
-from screens.kit.geometry import Point
+from screens.kit.geometry import Point, Size
 from screens.kit.surface import Surface
 
 
@@ -228,3 +228,12 @@ def test_small_numbers_fit_into_their_field(size) -> None:
     assert shown == "0.00123"
     words = surface.measure(shown, theme.VALUE).width + surface.measure(unit, theme.BODY).width
     assert words + 19 <= place.width  # with the borders and the gaps
+
+
+@pytest.mark.parametrize("size", [PORTRAIT, LANDSCAPE, Size(1440, 360), Size(360, 1440)])
+def test_a_cart_stands_below_the_words_of_its_lane(size) -> None:
+    """In a picture of 4 to 1 it was higher than the lane."""
+    forces = lesson("forces", {}, size)
+    for name, y in LANES.items():
+        top = forces.view(name).to_screen((0.0, y + CART / 2)).y
+        assert top >= forces.lane(name).y + HEAD - 1e-9

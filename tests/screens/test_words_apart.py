@@ -11,7 +11,7 @@ from screens.kit.scale import dp_size
 from screens.kit.surface import Surface
 from screens.lesson import Lesson
 
-SHAPES = [(9, 16), (16, 9), (3, 4), (4, 3), (1, 1), (64, 27), (27, 64)]
+SHAPES = [(9, 16), (16, 9), (3, 4), (4, 3), (1, 1), (64, 27), (27, 64), (4, 1)]
 SIZES = [dp_size(120 * wide, 120 * high) for wide, high in SHAPES]
 INK = 3.0
 """What a line is higher than its letters, above and below, at least (dp)."""
