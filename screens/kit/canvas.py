@@ -264,7 +264,7 @@ GAP_TO_BORDER = 4.0
 def letter_color(color: Color, opacity: float) -> Color:
     """Dark or light, whichever reads better on a body of this colour and opacity."""
     ground = theme.luminance(theme.mix(color, opacity, theme.CANVAS))
-    return theme.BLACK if ground > 0.14 else theme.TEXT
+    return theme.BLACK if ground > 0.21 else theme.WHITE
 
 
 def _round_length(most: float) -> float:
