@@ -29,13 +29,13 @@ class Body:
     collisions: `on_move(body)` if the body moved, `on_collision(body, collision)`.
     """
 
-    __slots__ = ("_name", "_on_collision", "_on_move", "_world", "id", "shape")
+    __slots__ = ("_id", "_name", "_on_collision", "_on_move", "_shape", "_world")
 
     def __init__(self, world: "World", id: int, shape: Shape, name: str) -> None:
         """Made by `World.add`."""
         self._world = world
-        self.id = id
-        self.shape = shape
+        self._id = id
+        self._shape = shape
         self._name = name
         self._on_move: OnMove | None = None
         self._on_collision: OnCollision | None = None
@@ -43,6 +43,20 @@ class Body:
     def __repr__(self) -> str:
         """Name it and say what shape it has."""
         return f"<Body {self.id} {self.name!r}: {self.shape}>"
+
+    def __reduce__(self) -> Any:
+        """Copy and pickle it with its world, as the body of this id."""
+        return type(self._world).body, (self._world, self._id)
+
+    @property
+    def id(self) -> int:
+        """By which the world and tracks know it; none is used twice."""
+        return self._id
+
+    @property
+    def shape(self) -> Shape:
+        """What it was added with."""
+        return self._shape
 
     @property
     def name(self) -> str:
@@ -112,10 +126,20 @@ class Body:
         """Of the centre of mass (m)."""
         return self.position.x
 
+    @x.setter
+    @noted
+    def x(self, value: Any) -> None:
+        self.position = (value, self.y)
+
     @property
     def y(self) -> float:
         """Of the centre of mass (m)."""
         return self.position.y
+
+    @y.setter
+    @noted
+    def y(self, value: Any) -> None:
+        self.position = (self.x, value)
 
     @property
     def angle(self) -> float:
@@ -147,10 +171,20 @@ class Body:
         """(m/s)"""
         return self._world.bodies.vx[self._row()]
 
+    @vx.setter
+    @noted
+    def vx(self, value: Any) -> None:
+        self.velocity = (value, self.vy)
+
     @property
     def vy(self) -> float:
         """(m/s)"""
         return self._world.bodies.vy[self._row()]
+
+    @vy.setter
+    @noted
+    def vy(self, value: Any) -> None:
+        self.velocity = (self.vx, value)
 
     @property
     def speed(self) -> float:
@@ -167,8 +201,8 @@ class Body:
     @noted
     def spin(self, value: Any) -> None:
         row, new = self._moving("spin"), validate.finite(value, "spin")
-        if new and isinstance(self.shape, Particle):
-            raise ValueError(f"a particle never rotates, so its spin cannot be {new}")
+        if new and self.fixed_rotation:
+            raise ValueError(f"{self._who} never rotates, so its spin cannot be {new}")
         kinds.set_off(self._world.store, row, self.velocity, new, self._world.laws.substeps)
 
     @property
@@ -180,18 +214,37 @@ class Body:
     @noted
     def mass(self, value: Any) -> None:
         row, new = self._dynamic("mass"), validate.positive(value, "mass")
-        bodies = self._world.bodies
-        inertia = bodies.inertia[row] * (new / bodies.mass[row])
-        for name, value in inertness(self.shape, new, inertia).items():
-            getattr(bodies, name)[row] = value
-        measure_anew(self._world.tables, row)
+        self._weigh(row, new, self.inertia * (new / self.mass))
 
     @property
     def inertia(self) -> float:
-        """Mass moment of inertia about the centre (kg m^2); infinite unless dynamic, and for
-        particles.
+        """Mass moment of inertia about the centre (kg m^2); infinite unless dynamic, and for what
+        never rotates.
         """
         return self._world.bodies.inertia[self._row()]
+
+    @inertia.setter
+    @noted
+    def inertia(self, value: Any) -> None:
+        row, new = self._dynamic("inertia"), validate.positive(value, "inertia")
+        if self.fixed_rotation:
+            raise ValueError(f"{self._who} never rotates, so its inertia cannot be {new}")
+        self._weigh(row, self.mass, new)
+
+    def _weigh(self, row: int, mass: float, inertia: float) -> None:
+        """Give it another mass (kg) and moment of inertia (kg m^2)."""
+        for name, value in inertness(self.shape, mass, inertia).items():
+            getattr(self._world.bodies, name)[row] = value
+        measure_anew(self._world.tables, row)
+
+    @property
+    def fixed_rotation(self) -> bool:
+        """Whether nothing makes it rotate: added so, or a particle."""
+        return isinstance(self.shape, Particle) or (self.is_dynamic and self.inertia == math.inf)
+
+    @property
+    def _who(self) -> str:
+        return "a particle" if isinstance(self.shape, Particle) else self.name
 
     @property
     def restitution(self) -> float:
@@ -344,7 +397,7 @@ class Body:
         if not self.is_dynamic:
             return 0.0
         at, momentum = self.position, self.momentum
-        own = 0.0 if isinstance(self.shape, Particle) else self.inertia * self.spin
+        own = self.inertia * self.spin if self.spin else 0.0
         return at.x * momentum.y - at.y * momentum.x + own
 
     @property
@@ -353,7 +406,7 @@ class Body:
         if not self.is_dynamic:
             return 0.0
         vx, vy = self.velocity
-        own = 0.0 if isinstance(self.shape, Particle) else self.inertia * self.spin * self.spin
+        own = self.inertia * self.spin * self.spin if self.spin else 0.0
         return (self.mass * (vx * vx + vy * vy) + own) / 2.0
 
     @property
@@ -413,7 +466,7 @@ class Body:
         lasts = math.inf if duration is None else validate.positive(duration, "duration")
         if at is not None and isinstance(effort, Torque):
             raise ValueError("a torque has no point of attack")
-        point = Vector(0.0, 0.0) if at is None else self.to_local(at)
+        point = Vector(0.0, 0.0) if at is None else self.to_local(validate.vector(at, "at"))
         return self._world.push(self, x, y, torque, point, lasts)
 
     @noted

@@ -9,7 +9,7 @@ import numpy as np
 from engine import kinds, tables, validate
 from engine.clockwork import Clockwork
 from engine.collision import Collision
-from engine.shapes import Barrier, Particle
+from engine.shapes import Barrier
 from engine.tracks import Tracks
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ def run(
 ) -> Tracks:
     """Step many times; see `World.run`."""
     ticks, dt = validate.whole(ticks, "ticks", 0), validate.tick(dt)
-    names = _names(record)
+    names, collisions = _names(record), validate.truth(collisions, "collisions")
     if _needs_python(world):
         return _step_by_step(world, ticks, dt, names, collisions)
     return _at_once(world, clockwork, ticks, dt, names, collisions)
@@ -157,10 +157,11 @@ class _Rows:
 
 
 def _names(record: Iterable[str]) -> list[str]:
-    names = [record] if isinstance(record, str) else list(record)
+    known = len(RECORDED)
+    names = [record] if isinstance(record, str) else validate.sequence(record, "record", known)
     for name in names:
-        if name not in RECORDED:
-            raise ValueError(f"record knows {', '.join(RECORDED)}, not {name!r}")
+        if not isinstance(name, str) or name not in RECORDED:
+            raise ValueError(f"record knows {', '.join(RECORDED)}, not {validate.shown(name)}")
     return names
 
 
@@ -197,8 +198,8 @@ def set_state(world: "World", given: Any) -> None:
     ):
         if body.is_wall and (old != new).any():
             raise ValueError(f"a wall is immovable: {body.name} takes no state")
-        if isinstance(body.shape, Particle) and new[-1] != 0.0:
-            raise ValueError(f"a particle never rotates, so {body.name} cannot have spin {new[-1]}")
+        if new[-1] != 0.0 and body.fixed_rotation:
+            raise ValueError(f"{body.name} cannot have spin {new[-1]}: it never rotates")
         if body.kind == "static" and (old[4:] != new[4:]).any():
             raise ValueError(f"{body.name} is static: it takes no velocity and no spin")
     movable = np.array([not world.store.handles[row].is_wall for row in rows], bool)

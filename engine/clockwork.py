@@ -2,6 +2,8 @@
 
 import importlib
 
+import numpy as np
+
 from engine import collision, modes
 from engine.collision import NONE, Collision, Collisions, Diverged
 from engine.kernels.status import DONE, FULL, LOOSE, LOST, UNMIXED, WAITING
@@ -9,11 +11,11 @@ from engine.modes import Kernels
 from engine.pair_rows import mix_by_rules
 from engine.settings import PLAIN_RULES, Laws, Rules
 from engine.store import Store
-from engine.tables import Tables
+from engine.tables import RESTING, Tables
 
-BODY, PAIR = 15e-6, 40e-6
-"""What an interpreted tick takes for each body and for each pair, roughly (s). An estimate, so that
-no clock has a say."""
+BODY, PAIR, CONTACT, JOINT = 15e-6, 40e-6, 200e-6, 500e-6
+"""What an interpreted tick takes for each body, each pair, each pair that rests besides, and each
+joint, roughly (s). An estimate, so that no clock has a say."""
 
 WORTHWHILE = 2.0
 """Interpreted work (s) after which a world is taken for one that goes on for long."""
@@ -59,6 +61,7 @@ class Clockwork:
         "_work",
         "_written",
         "collisions",
+        "mode",
     )
 
     def __init__(self, store: Store, mode: str) -> None:
@@ -68,6 +71,8 @@ class Clockwork:
             ValueError: for an unknown mode.
             ImportError: if compiled kernels are asked for and numba is missing or broken.
         """
+        self.mode = mode
+        """As it was asked for."""
         mode = modes.resolve(mode)
         self._store = store
         self._tables: Tables | None = None
@@ -184,10 +189,13 @@ class Clockwork:
 
     def _consider_compiling(self, laws: Laws, rules: Rules) -> None:
         """Change to machine code if this world goes on for long and it is ready."""
-        counts, tick = self._store.tables.counts, self._tick[0]
+        t, tick = self._store.tables, self._tick[0]
         ticks = tick - self._counted
         self._counted = tick
-        self._work += ticks * (BODY * counts.bodies[0] + PAIR * counts.pairs[0])
+        pairs = t.counts.pairs[0]
+        resting = int(np.count_nonzero(np.asarray(t.pairs.state)[:pairs] == RESTING))
+        work = BODY * t.counts.bodies[0] + PAIR * pairs
+        self._work += ticks * (work + CONTACT * resting + JOINT * t.counts.joints[0])
         if self._work >= self._next_look:
             self._next_look = self._work + AGAIN
             ready = ready_in_background()

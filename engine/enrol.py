@@ -28,7 +28,7 @@ def initial_values(shape: Shape, given: dict[str, Any]) -> dict[str, float]:
         shape: of the body.
         given: kind, mass, inertia, position, angle, velocity, spin (each None if not given),
             restitution, friction, static_friction, rolling_resistance, surface_speed, material,
-            gravity_scale, sensor, category, mask and group.
+            gravity_scale, fixed_rotation, sensor, category, mask and group.
     """
     kind = "dynamic" if given["kind"] is None else given["kind"]
     if not isinstance(kind, str) or kind not in KINDS:
@@ -38,13 +38,18 @@ def initial_values(shape: Shape, given: dict[str, Any]) -> dict[str, float]:
         if given["kind"] not in (None, "static"):
             raise ValueError(f"{WALL} kind {kind!r}")
         kind = "static"
-    elif isinstance(shape, Particle) and (given["inertia"] is not None or given["spin"]):
-        raise ValueError("a particle never rotates: it takes no inertia and no spin")
+    elif isinstance(shape, Particle):
+        _refuse(given, ("inertia",), "a particle never rotates: it takes no")
+    fixed = validate.truth(given["fixed_rotation"], "fixed_rotation")
+    if fixed:
+        _refuse(given, ("inertia",), "a body of fixed rotation takes no")
     if kind != "dynamic":
         _refuse(given, ("mass", "inertia"), f"a {kind} body has infinite mass: it takes no")
+        if fixed:
+            raise ValueError(f"forces turn no {kind} body: it takes no fixed_rotation")
     if kind == "static":
         _refuse(given, ("velocity", "spin"), "a static body does not move: it takes no")
-    return {
+    values = {
         "restitution": validate.fraction(given["restitution"], "restitution"),
         **_rubbing(given),
         "gravity_scale": validate.finite(given["gravity_scale"], "gravity_scale"),
@@ -53,9 +58,13 @@ def initial_values(shape: Shape, given: dict[str, Any]) -> dict[str, float]:
         "mask": filters.mask_bits(given["mask"]),
         "group": filters.group_number(given["group"]),
         "moves": int(kind != "static"),
-        **_inertness(shape, kind, given["mass"], given["inertia"]),
+        **_inertness(shape, kind, given["mass"], given["inertia"], fixed),
         **_motion(given["position"], given["angle"], given["velocity"], given["spin"]),
     }
+    if values["spin"] != 0.0 and (fixed or isinstance(shape, Particle)):
+        who = "a body of fixed rotation" if fixed else "a particle"
+        raise ValueError(f"{who} never rotates: it takes no spin {values['spin']}")
+    return values
 
 
 def _rubbing(given: dict[str, Any]) -> dict[str, float]:
@@ -146,23 +155,27 @@ def write_seams(c: Corners, shape: Piece, row: int) -> None:
 
 
 def _inertness(
-    shape: Shape, kind: str, mass: float | None, inertia: float | None
+    shape: Shape, kind: str, mass: float | None, inertia: float | None, fixed: bool
 ) -> dict[str, float]:
     """Mass, moment of inertia and their inverses, as columns of `Bodies`."""
     if kind != "dynamic" or isinstance(shape, Barrier):
         return ENDLESS
     kg = 1.0 if mass is None else validate.positive(mass, "mass")
+    if fixed:
+        return inertness(shape, kg, math.inf)
     turning = shape.inertia(kg) if inertia is None else validate.positive(inertia, "inertia")
-    return inertness(shape, kg, turning)
+    return inertness(shape, kg, turning, isinstance(shape, Particle))
 
 
-def inertness(shape: Shape, kg: float, turning: float) -> dict[str, float]:
+def inertness(shape: Shape, kg: float, turning: float, endless: bool = True) -> dict[str, float]:
     """Mass (kg), moment of inertia (kg m^2) and their inverses of a dynamic body, as columns.
+
+    That of what never rotates is `endless`.
 
     Raises:
         ValueError: if they are beyond what can be computed.
     """
-    turns = turning <= HUGE or isinstance(shape, Particle)
+    turns = turning <= HUGE or (endless and turning == math.inf)
     if not (1.0 / HUGE <= kg <= HUGE and turning >= 1.0 / HUGE and turns):
         raise ValueError(
             f"{shape} with a mass of {kg} kg and a moment of inertia of {turning} kg m^2 is beyond "

@@ -9,6 +9,7 @@ import numpy as np
 
 from engine import validate
 from engine.body import Body
+from engine.collision import Removed
 from engine.forces import Force, Torque
 from engine.inputs import noted
 from engine.tables import Fields, allocate, views
@@ -85,19 +86,38 @@ Law = PointGravity | SpringTo | PythonForce
 class ActingLaw:
     """A law of force that acts in a world until it is removed."""
 
-    __slots__ = ("_world", "bodies", "id", "law")
+    __slots__ = ("_bodies", "_id", "_law", "_world")
 
     def __init__(self, world: "World", id: int, law: Law, bodies: tuple[Body, ...] | None) -> None:
         """Made by `World.add_law`."""
         self._world = world
-        self.id = id
-        self.law = law
-        self.bodies = bodies
+        self._id = id
+        self._law = law
+        self._bodies = bodies
 
     def __repr__(self) -> str:
         """Say which law it is and on what it acts."""
         on = "all bodies" if self.bodies is None else ", ".join(body.name for body in self.bodies)
         return f"<ActingLaw {self.id}: {self.law} on {on}>"
+
+    def __reduce__(self) -> Any:
+        """Copy and pickle it with its world, as the law of this id."""
+        return law_of, (self._world, self._id)
+
+    @property
+    def id(self) -> int:
+        """None is used twice."""
+        return self._id
+
+    @property
+    def law(self) -> Law:
+        """What acts."""
+        return self._law
+
+    @property
+    def bodies(self) -> tuple[Body, ...] | None:
+        """On which it acts; None: on all."""
+        return self._bodies
 
     @property
     def active(self) -> bool:
@@ -115,6 +135,17 @@ class ActingLaw:
         self._world.store.remove_law(self)
 
 
+def law_of(world: "World", id: int) -> ActingLaw:
+    """The law with this id that acts in a world.
+
+    Raises:
+        Removed: (a LookupError) if there is none.
+    """
+    if id not in world.store.acting:
+        raise Removed(f"there is no law {id} in this world")
+    return world.store.acting[id]
+
+
 def checked_law(law: Any) -> Law:
     """Refuse what is no law of force.
 
@@ -123,7 +154,9 @@ def checked_law(law: Any) -> Law:
     """
     built_in = isinstance(law, PointGravity | SpringTo)
     if not built_in and (isinstance(law, type) or not callable(law)):
-        raise TypeError(f"a law is a PointGravity, a SpringTo or a function, not {law!r}")
+        raise TypeError(
+            f"a law is a PointGravity, a SpringTo or a function, not {validate.shown(law)}"
+        )
     checked: Law = law
     return checked
 

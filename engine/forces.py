@@ -76,16 +76,21 @@ def components(effort: Force | Torque) -> tuple[float, float, float]:
 class Push:
     """A force or torque that acts on a body, until its time is over or it is stopped."""
 
-    __slots__ = ("_world", "id")
+    __slots__ = ("_id", "_world")
 
     def __init__(self, world: "World", id: int) -> None:
         """Made by `Body.exert`."""
         self._world = world
-        self.id = id
+        self._id = id
 
     def __repr__(self) -> str:
         """Say which push it is and whether it acts."""
         return f"<Push {self.id}, {'active' if self.active else 'over'}>"
+
+    @property
+    def id(self) -> int:
+        """None is used twice."""
+        return self._id
 
     @property
     def active(self) -> bool:

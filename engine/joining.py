@@ -4,14 +4,11 @@ import math
 from typing import TYPE_CHECKING
 
 from engine import validate
-from engine.joints import KINDS, UNLIMITED, Pin, Pulley, Rope, Slider, Spec, Spring, Weld
+from engine.joints import KINDS, STRONGEST, UNLIMITED, Pin, Pulley, Rope, Slider, Spec, Spring, Weld
 from engine.vector import Vector, distance, rotated
 
 if TYPE_CHECKING:
     from engine.body import Body
-
-STRONGEST = 1e300
-"""Stands for a motor without limit (N or N m)."""
 
 
 def joint_columns(
@@ -27,7 +24,9 @@ def joint_columns(
         TypeError, ValueError: in one sentence that names the value.
     """
     if not isinstance(spec, KINDS):
-        raise TypeError(f"bodies are joined by a Pin, Rope, Spring, ..., not {spec!r}")
+        raise TypeError(
+            f"bodies are joined by a Pin, Rope, Spring, ..., not {validate.shown(spec)}"
+        )
     if a is b:
         raise ValueError(f"{a.name if a else 'the world'} cannot be joined with itself")
     if isinstance(spec, Pulley) and (a is None or b is None):

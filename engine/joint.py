@@ -8,6 +8,7 @@ from engine import validate
 from engine.inputs import noted
 from engine.joints import (
     KINDS,
+    STRONGEST,
     UNLIMITED,
     Distance,
     Pin,
@@ -18,6 +19,7 @@ from engine.joints import (
     Spring,
     Weld,
     check_limits,
+    check_spring,
 )
 from engine.vector import Vector, rotated
 
@@ -34,20 +36,39 @@ class Joint:
     `on_break(joint)` is called after the step in which it broke.
     """
 
-    __slots__ = ("_on_break", "_world", "a", "b", "id")
+    __slots__ = ("_a", "_b", "_id", "_on_break", "_world")
 
     def __init__(self, world: "World", id: int, a: "Body | None", b: "Body | None") -> None:
         """Made by `World.join`; None is the world itself."""
         self._world = world
-        self.id = id
-        self.a = a
-        self.b = b
+        self._id = id
+        self._a = a
+        self._b = b
         self._on_break: OnBreak | None = None
 
     def __repr__(self) -> str:
         """Say what it is and what it joins."""
         names = [body.name if body else "the world" for body in (self.a, self.b)]
         return f"<Joint {self.id}, {' to '.join(names)}>"
+
+    def __reduce__(self) -> Any:
+        """Copy and pickle it with its world, as the joint of this id."""
+        return type(self._world).joint, (self._world, self._id)
+
+    @property
+    def id(self) -> int:
+        """By which the world knows it; none is used twice."""
+        return self._id
+
+    @property
+    def a(self) -> "Body | None":
+        """One body; None: the world."""
+        return self._a
+
+    @property
+    def b(self) -> "Body | None":
+        """The other, whose force `force` is; None: the world."""
+        return self._b
 
     @property
     def on_break(self) -> OnBreak | None:
@@ -159,10 +180,38 @@ class Joint:
         self._world.store.loosen()
 
     @property
+    def max_torque(self) -> float:
+        """Of the motor of a pin (N m), may be infinite."""
+        return self._effort(Pin, "max_torque")
+
+    @max_torque.setter
+    @noted
+    def max_torque(self, value: Any) -> None:
+        self._drive(Pin, "max_torque", value)
+
+    @property
+    def max_force(self) -> float:
+        """Of the motor of a slider (N), may be infinite."""
+        return self._effort(Slider, "max_force")
+
+    @max_force.setter
+    @noted
+    def max_force(self, value: Any) -> None:
+        self._drive(Slider, "max_force", value)
+
+    @property
     def stiffness(self) -> float:
         """Of a spring (N/m)."""
         self._only((Spring,), "stiffness")
         return float(self._get("stiffness"))
+
+    @stiffness.setter
+    @noted
+    def stiffness(self, value: Any) -> None:
+        new = validate.not_negative(value, "stiffness")
+        check_spring(new, self.damping)
+        self._set("stiffness", new)
+        self._world.store.loosen()
 
     @property
     def damping(self) -> float:
@@ -170,10 +219,28 @@ class Joint:
         self._only((Spring,), "damping")
         return float(self._get("damping"))
 
+    @damping.setter
+    @noted
+    def damping(self, value: Any) -> None:
+        new = validate.not_negative(value, "damping")
+        check_spring(self.stiffness, new)
+        self._set("damping", new)
+        self._world.store.loosen()
+
     @noted
     def remove(self) -> None:
         """Take it out of the world; it is then refused."""
         self._world.store.remove_joint(self)
+
+    def _effort(self, kind: type, name: str) -> float:
+        self._only((kind,), name)
+        most = float(self._get("effort"))
+        return math.inf if most == STRONGEST else most
+
+    def _drive(self, kind: type, name: str, value: Any) -> None:
+        self._only((kind,), name)
+        self._set("effort", min(validate.positive_or_endless(value, name), STRONGEST))
+        self._world.store.loosen()
 
     def _only(self, kinds: tuple[type, ...], what: str) -> None:
         if self.kind not in kinds:

@@ -10,6 +10,9 @@ from engine.vector import Vector
 
 UNLIMITED = (-math.inf, math.inf)
 
+STRONGEST = 1e300
+"""Stands for a motor without limit (N or N m)."""
+
 
 @dataclass(frozen=True)
 class _Line:
@@ -56,8 +59,7 @@ class Spring:
         _check(self, "stiffness", validate.not_negative)
         _check(self, "damping", validate.not_negative)
         _check(self, "length", validate.not_negative)
-        if self.stiffness == 0.0 and self.damping == 0.0:
-            raise ValueError("a spring needs a stiffness or a damping, not 0.0 for both")
+        check_spring(self.stiffness, self.damping)
 
 
 @dataclass(frozen=True)
@@ -164,15 +166,21 @@ def _check_coordinate(spec: Any, effort: str) -> None:
     object.__setattr__(spec, effort, validate.positive_or_endless(getattr(spec, effort), effort))
 
 
+def check_spring(stiffness: float, damping: float) -> None:
+    """Refuse a spring that does nothing."""
+    if stiffness == 0.0 and damping == 0.0:
+        raise ValueError("a spring needs a stiffness or a damping, not 0.0 for both")
+
+
 def check_limits(value: Any) -> tuple[float, float]:
     """Return a pair (low, high); either may be infinite."""
-    if isinstance(value, str) or not isinstance(value, tuple | list):
-        raise TypeError(f"limits must be a pair (low, high), not {value!r}")
+    if not isinstance(value, tuple | list) and getattr(value, "ndim", 0) != 1:
+        raise TypeError(f"limits must be a pair (low, high), not {validate.shown(value)}")
     if len(value) != 2:
         raise ValueError(f"limits must be a pair (low, high), not {len(value)} of them")
     low, high = (
-        float(end) if end in UNLIMITED else validate.finite(end, f"limits[{i}]")
-        for i, end in enumerate(value)
+        float(end) if isinstance(end, float) and end in UNLIMITED else validate.finite(end, name)
+        for end, name in zip(value, ("limits[0]", "limits[1]"), strict=True)
     )
     if low > high or low == math.inf or high == -math.inf:
         raise ValueError(f"limits must be a pair (low, high), not ({low}, {high})")

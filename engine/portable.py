@@ -18,8 +18,8 @@ from engine.joint import Joint
 from engine.joints import KINDS as JOINTS
 from engine.ledger import totals
 from engine.materials import material_name
-from engine.plain import INFINITIES, Decoder, Functions, encode
-from engine.settings import INTEGRATORS, Laws, geometric_mean, larger
+from engine.plain import INFINITIES, Decoder, Functions, encode, name_of
+from engine.settings import INTEGRATORS, MOST_SUBSTEPS, Laws, Sleep, geometric_mean, larger
 from engine.shapes import Shape
 from engine.snapshot import Snapshot
 from engine.tables import Books, Counts, Joints, Tables, allocate, arrays
@@ -39,6 +39,7 @@ KINDS = (
     QuadraticDrag,
     PointGravity,
     SpringTo,
+    Sleep,
     *JOINTS,
 )
 """Dataclasses that may stand in saved data."""
@@ -172,6 +173,7 @@ KEYS = ("format", "laws", "rules", "handles", "force_laws", "materials", "tables
 
 def to_dict(world: "World") -> dict[str, Any]:
     """Say all that varies in a world as plain data."""
+    functions_of(world)
     saved = world.snapshot()
     own = {name: getattr(world, name) for name in RULES}
     return {
@@ -196,6 +198,22 @@ def to_dict(world: "World") -> dict[str, Any]:
             for name, kind in TABLES.items()
         },
     }
+
+
+def functions_of(world: "World") -> dict[str, Any]:
+    """The Python functions that the motion depends on, by the names under which they are saved.
+
+    Raises:
+        ValueError: if two of them have one name.
+    """
+    used = [rule for name, usual in RULES.items() if (rule := getattr(world, name)) is not usual]
+    used += [law.law for law in world.force_laws if law.is_python]
+    named: dict[str, Any] = {}
+    for function in used:
+        name = name_of(function)
+        if named.setdefault(name, function) != function:
+            raise ValueError(f"two functions are called {name}: a world cannot be saved with both")
+    return named
 
 
 def refill(world: "World", data: dict[str, Any], functions: Functions) -> None:
@@ -266,10 +284,12 @@ def _laws(data: Any) -> Laws:
     whole = ("integrator", "substeps")
     values = {name: _number(f"laws.{name}", data[name], name in whole) for name in Laws._fields}
     laws = Laws(**values)
-    if not (0 <= laws.integrator < len(INTEGRATORS) and laws.substeps >= 1):
+    if not (0 <= laws.integrator < len(INTEGRATORS) and 1 <= laws.substeps <= MOST_SUBSTEPS):
         raise ValueError(f"no world has integrator {laws.integrator}, {laws.substeps} substeps")
     if not (laws.linear_drag >= 0.0 and laws.quadratic_drag >= 0.0):
         raise ValueError("the drag of a saved world must not be negative")
+    if laws.linear_drag > 0.0 and laws.quadratic_drag > 0.0:
+        raise ValueError("a saved world has one law of drag, not two")
     return laws
 
 

@@ -6,6 +6,7 @@ import numpy as np
 
 from engine import validate
 from engine.body import Body
+from engine.force_laws import law_of
 from engine.forces import Push
 from engine.inputs import is_input
 from engine.recording import Recording, marks_of
@@ -102,8 +103,8 @@ def _handle(world: World, kind: str, id: int) -> Any:
         return Push(world, id)
     if kind == "Joint":
         return world.joint(id)
-    if kind == "ActingLaw" and id in world.store.acting:
-        return world.store.acting[id]
+    if kind == "ActingLaw":
+        return law_of(world, id)
     raise ValueError(f"no input acts on a {kind!r:.50} of id {id}")
 
 

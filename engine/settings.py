@@ -15,6 +15,9 @@ TICK = 1.0 / 60.0
 INTEGRATORS = ("semi-implicit-euler", "velocity-verlet", "explicit-euler", "rk4")
 SEMI_IMPLICIT_EULER, VELOCITY_VERLET, EXPLICIT_EULER, RK4 = range(4)
 
+MOST_SUBSTEPS = 1000
+"""Parts of a tick; who wants shorter ones takes shorter ticks."""
+
 AS_FRICTION = -1.0
 """A static friction that is that of what slides."""
 
@@ -70,21 +73,34 @@ def laws(
     Raises:
         TypeError, ValueError: in one sentence that names the value.
     """
-    down = gravity if isinstance(gravity, Vector) else validate.vector(gravity, "gravity")
     if drag is not None and not isinstance(drag, LinearDrag | QuadraticDrag):
-        raise TypeError(f"drag must be LinearDrag, QuadraticDrag or None, not {drag!r}")
-    if integrator not in INTEGRATORS:
+        raise TypeError(
+            f"drag must be LinearDrag, QuadraticDrag or None, not {validate.shown(drag)}"
+        )
+    if not isinstance(integrator, str) or integrator not in INTEGRATORS:
         known = ", ".join(INTEGRATORS)
-        raise ValueError(f"integrator must be one of {known}, not {integrator!r}")
+        raise ValueError(f"integrator must be one of {known}, not {validate.shown(integrator)}")
     return Laws(
-        validate.finite(down[0], "gravity[0]"),
-        validate.finite(down[1], "gravity[1]"),
+        *validate.vector(gravity, "gravity"),
         drag.k if isinstance(drag, LinearDrag) else 0.0,
         drag.k if isinstance(drag, QuadraticDrag) else 0.0,
         INTEGRATORS.index(integrator),
-        validate.whole(substeps, "substeps", 1),
+        validate.whole(substeps, "substeps", 1, MOST_SUBSTEPS),
         *_sleep(sleeping),
     )
+
+
+def given(laws: Laws) -> dict[str, Any]:
+    """What `laws` was given, by its names."""
+    linear, quadratic = laws.linear_drag, laws.quadratic_drag
+    drag = LinearDrag(linear) if linear else QuadraticDrag(quadratic) if quadratic else None
+    return {
+        "gravity": Vector(laws.gravity_x, laws.gravity_y),
+        "drag": drag,
+        "integrator": INTEGRATORS[laws.integrator],
+        "substeps": laws.substeps,
+        "sleeping": Sleep(laws.sleep_speed, laws.sleep_time) if laws.sleep_time else False,
+    }
 
 
 def _sleep(sleeping: Any) -> tuple[float, float]:
@@ -93,7 +109,7 @@ def _sleep(sleeping: Any) -> tuple[float, float]:
         return 0.0, 0.0
     rule = Sleep() if sleeping is True else sleeping
     if not isinstance(rule, Sleep):
-        raise TypeError(f"sleeping must be True, False or a Sleep, not {sleeping!r}")
+        raise TypeError(f"sleeping must be True, False or a Sleep, not {validate.shown(sleeping)}")
     return rule.speed, rule.time
 
 

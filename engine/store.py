@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from engine import validate
 from engine.body import Body
 from engine.collision import Removed
 from engine.enrol import write_body
@@ -206,6 +207,7 @@ class Store:
         Raises:
             Removed: (a LookupError) if there is none.
         """
+        id = validate.identity(id, "a joint")
         row = bisect_left(self.joints, id, key=lambda each: each.id)
         if row == len(self.joints) or self.joints[row].id != id:
             raise Removed(f"there is no joint {id} in this world")

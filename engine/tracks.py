@@ -6,6 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from engine import validate
+from engine.body import Body
 from engine.collision import Collision
 
 
@@ -36,8 +38,13 @@ class Tracks:
         """The recorded names."""
         return iter(self.columns)
 
-    def of(self, id: int) -> dict[str, Any]:
-        """The columns of one body, by name: arrays (ticks + 1,)."""
+    def of(self, body: Body | int) -> dict[str, Any]:
+        """The columns of one body, or of that with this id, by name: arrays (ticks + 1,).
+
+        Raises:
+            LookupError: if it was not there at the start.
+        """
+        id = body.id if isinstance(body, Body) else validate.identity(body, "a body")
         place = np.flatnonzero(self.ids == id)
         if not len(place):
             raise LookupError(f"there is no body {id} in these tracks")

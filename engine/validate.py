@@ -7,6 +7,8 @@ from numbers import Real
 from operator import index
 from typing import Any, TypeVar
 
+import numpy as np
+
 from engine.vector import Vector
 
 F = TypeVar("F")
@@ -104,6 +106,13 @@ def whole(value: Any, name: str, at_least: int, at_most: int | None = None) -> i
     return number
 
 
+def identity(value: Any, what: str) -> Any:
+    """Return `value`, a number that may be an id; refuse all else."""
+    if isinstance(value, bool) or not isinstance(value, Real):
+        raise TypeError(f"{what} is named by a number, its id, not by {shown(value)}")
+    return value
+
+
 def vector(value: Any, name: str) -> Vector:
     """Return `value`, a pair of finite numbers, as a `Vector`."""
     pair = value
@@ -112,7 +121,7 @@ def vector(value: Any, name: str) -> Vector:
             value, Iterable
         ):
             raise TypeError(f"{name} must be a pair of numbers, not {shown(value)}")
-        pair = list(value)
+        pair = list(islice(value, MOST_SHOWN))
     if len(pair) != 2:
         raise ValueError(f"{name} must be a pair of numbers, not {len(pair)} of them")
     return Vector(finite(pair[0], f"{name}[0]"), finite(pair[1], f"{name}[1]"))
@@ -178,6 +187,6 @@ def function_or_none(value: F, name: str) -> F:
 
 def truth(value: Any, name: str) -> bool:
     """Return `value`, True or False; refuse all else."""
-    if not isinstance(value, bool):
+    if not isinstance(value, bool | np.bool_):
         raise TypeError(f"{name} must be True or False, not {shown(value)}")
-    return value
+    return bool(value)

@@ -1,7 +1,8 @@
 """A pair of numbers with a direction, and its geometry, to the same bits on every machine."""
 
 import math
-from typing import NamedTuple, Self
+from numbers import Real
+from typing import Any, NamedTuple, Self
 
 from engine.kernels.elementary import cos_sin
 
@@ -10,10 +11,75 @@ HALVINGS = 3
 
 
 class Vector(NamedTuple):
-    """A vector of the plane: x to the right, y upwards; its unit is that of what it describes."""
+    """A vector of the plane: x to the right, y upwards; its unit is that of what it describes.
+
+    Vectors, or a vector and any pair of numbers, are added and subtracted; by a number they are
+    multiplied and divided. Everything else is that of a tuple.
+    """
 
     x: float
     y: float
+
+    def __add__(self, other: Any) -> "Vector":
+        """Their sum."""
+        x, y = _pair(other)
+        return Vector(self.x + x, self.y + y)
+
+    def __radd__(self, other: Any) -> "Vector":
+        """The same, the pair first."""
+        return self.__add__(other)
+
+    def __sub__(self, other: Any) -> "Vector":
+        """What leads from the other to this one."""
+        x, y = _pair(other)
+        return Vector(self.x - x, self.y - y)
+
+    def __rsub__(self, other: Any) -> "Vector":
+        """What leads from this one to the other."""
+        x, y = _pair(other)
+        return Vector(x - self.x, y - self.y)
+
+    def __mul__(self, by: Any) -> "Vector":
+        """So many times as long."""
+        share = _number(by)
+        return Vector(share * self.x, share * self.y)
+
+    def __rmul__(self, by: Any) -> "Vector":
+        """The same, the number first."""
+        return self.__mul__(by)
+
+    def __truediv__(self, by: Any) -> "Vector":
+        """As long as one of so many parts."""
+        parts = _number(by)
+        return Vector(self.x / parts, self.y / parts)
+
+    def __neg__(self) -> "Vector":
+        """The opposite."""
+        return Vector(-self.x, -self.y)
+
+    @property
+    def length(self) -> float:
+        """Its length, never negative."""
+        return math.sqrt(self.x * self.x + self.y * self.y)
+
+    def dot(self, other: Any) -> float:
+        """Scalar product."""
+        x, y = _pair(other)
+        return self.x * x + self.y * y
+
+    def cross(self, other: Any) -> float:
+        """The component of the vector product that leaves the plane: positive to the left."""
+        x, y = _pair(other)
+        return self.x * y - self.y * x
+
+    def rotated(self, angle: float) -> "Vector":
+        """Turned to the left (rad)."""
+        return rotated(self, angle)
+
+    def normalized(self) -> "Vector":
+        """Of the same direction and the length 1; the null vector as it is."""
+        length = self.length
+        return self / length if length > 0.0 else self
 
     @classmethod
     def polar(cls, length: float, angle: float) -> Self:
@@ -43,6 +109,22 @@ class Vector(NamedTuple):
         if self.x < 0.0:
             angle = math.pi - angle
         return -angle if self.y < 0.0 else angle
+
+
+def _pair(other: Any) -> tuple[float, float]:
+    """Refuse what is no vector and no pair of numbers."""
+    listed = isinstance(other, tuple | list) and len(other) == 2
+    if listed or getattr(other, "shape", None) == (2,):
+        x, y = other
+        return x, y
+    raise TypeError(f"a Vector goes with another or with a pair of numbers, not with {other!r:.99}")
+
+
+def _number(by: Any) -> float:
+    """Refuse what is no number."""
+    if isinstance(by, Real) and by is not True and by is not False:
+        return float(by)
+    raise TypeError(f"a Vector is multiplied or divided by a number, not by {by!r:.99}")
 
 
 def distance(a: tuple[float, float], b: tuple[float, float]) -> float:

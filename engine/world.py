@@ -21,7 +21,7 @@ from engine.joints import Spec
 from engine.ledger import Ledger
 from engine.materials import pair_row
 from engine.recording import Recording
-from engine.settings import TICK, Rule, Sleep, laws, rules
+from engine.settings import TICK, Rule, Sleep, given, laws, rules
 from engine.shapes import Shape
 from engine.snapshot import Snapshot
 from engine.store import Store
@@ -51,6 +51,8 @@ class World:
             more than `Sleep` says; True: by its usual numbers.
     """
 
+    __slots__ = ("__weakref__", "_clockwork", "laws", "recorder", "rules", "store")
+
     def __init__(
         self,
         gravity: Any = (0.0, 0.0),
@@ -70,6 +72,21 @@ class World:
         self.recorder: Recording | None = None
         """Who takes note of inputs; see `record`."""
         self._clockwork = Clockwork(self.store, kernels)
+
+    def __repr__(self) -> str:
+        """Say what is in it, and how old it is."""
+        joints = f", {len(self.joints)} joints" if self.joints else ""
+        return f"<World: {len(self)} bodies{joints}, {self.time:.6g} s>"
+
+    def __reduce__(self) -> Any:
+        """Copy and pickle it: what `to_dict` says, and the functions that its motion depends on.
+
+        Handles that are copied together with it are then handles of the copy.
+        """
+        from engine import portable  # see `store`
+
+        saved = (self.to_dict(), portable.functions_of(self), self._clockwork.mode)
+        return type(self).from_dict, saved
 
     def step(self, dt: float = TICK) -> Collisions:
         """Advance by `dt` seconds; return the collisions that happened, in order of time.
@@ -149,6 +166,7 @@ class World:
         material: str | None = None,
         inertia: float | None = None,
         gravity_scale: float = 1.0,
+        fixed_rotation: bool = False,
         sensor: bool = False,
         category: int = 1,
         mask: int = ALL,
@@ -164,7 +182,8 @@ class World:
         is put, as walls do, which are nothing else.
 
         Mass is 1 kg, the rest zero unless given; the moment of inertia follows from shape and mass.
-        A wall takes none of mass, position, angle, velocity, spin, inertia.
+        A wall takes none of mass, position, angle, velocity, spin, inertia. With `fixed_rotation`
+        neither contacts nor torques turn it, as if its inertia were infinite.
 
         A `sensor` acts on nothing and is acted upon by nothing that it meets: it notices what
         overlaps it, see `contacts`.
@@ -174,20 +193,21 @@ class World:
         """
         if not isinstance(shape, Shape):
             raise TypeError(f"a body needs a shape, such as a Circle or a Polygon, not {shape!r}")
-        given = {
+        wanted = {
             "kind": kind,
             "mass": mass,
             "position": position,
             "angle": angle,
             "velocity": velocity,
         }
-        given |= {"spin": spin, "inertia": inertia}
-        given |= {"restitution": restitution, "friction": friction}
-        given |= {"static_friction": static_friction, "rolling_resistance": rolling_resistance}
-        given |= {"surface_speed": surface_speed, "material": material}
-        given |= {"gravity_scale": gravity_scale, "sensor": sensor}
-        given |= {"category": category, "mask": mask, "group": group}
-        values = initial_values(shape, given)
+        wanted |= {"spin": spin, "inertia": inertia}
+        wanted |= {"restitution": restitution, "friction": friction}
+        wanted |= {"static_friction": static_friction, "rolling_resistance": rolling_resistance}
+        wanted |= {"surface_speed": surface_speed, "material": material}
+        wanted |= {"gravity_scale": gravity_scale, "fixed_rotation": fixed_rotation}
+        wanted |= {"sensor": sensor}
+        wanted |= {"category": category, "mask": mask, "group": group}
+        values = initial_values(shape, wanted)
         name = None if name is None else validate.text(name, "name")
         on_move = validate.function_or_none(on_move, "on_move")
         on_collision = validate.function_or_none(on_collision, "on_collision")
@@ -201,7 +221,9 @@ class World:
 
     @noted
     def remove(self, body: Body) -> None:
-        """Take a body, with all that pushes it, out of the world; its handle is then refused."""
+        """Take a body, with its joints and all that pushes it, out of the world; its handle is then
+        refused. Joints and laws of force have a `remove` of their own.
+        """
         self._own(body)
         self.store.remove_body(body)
         self.displaced()
@@ -414,9 +436,10 @@ class World:
         Raises:
             Removed: (a LookupError) if there is none.
         """
-        if id not in self.store.rows:
+        row = self.store.rows.get(validate.identity(id, "a body"))
+        if row is None:
             raise Removed(f"there is no body {id} in this world")
-        return self.store.handles[self.store.rows[id]]
+        return self.store.handles[row]
 
     @property
     def contacts(self) -> list[Contact]:
@@ -485,8 +508,53 @@ class World:
     @gravity.setter
     @noted
     def gravity(self, value: Any) -> None:
-        down = validate.vector(value, "gravity")
-        self.laws = self.laws._replace(gravity_x=down.x, gravity_y=down.y)
+        self._change(gravity=value)
+
+    @property
+    def drag(self) -> Drag | None:
+        """`LinearDrag`, `QuadraticDrag` or None."""
+        drag: Drag | None = given(self.laws)["drag"]
+        return drag
+
+    @drag.setter
+    @noted
+    def drag(self, value: Drag | None) -> None:
+        self._change(drag=value)
+
+    @property
+    def integrator(self) -> str:
+        """How accelerations become motion; see `World`."""
+        return str(given(self.laws)["integrator"])
+
+    @integrator.setter
+    @noted
+    def integrator(self, value: str) -> None:
+        self._change(integrator=value)
+
+    @property
+    def substeps(self) -> int:
+        """Into how many parts a tick is divided for bodies that rest on each other."""
+        return self.laws.substeps
+
+    @substeps.setter
+    @noted
+    def substeps(self, value: int) -> None:
+        self._change(substeps=value)
+
+    @property
+    def sleeping(self) -> Sleep | bool:
+        """When bodies at rest may fall asleep: a `Sleep`, or False for never."""
+        sleep: Sleep | bool = given(self.laws)["sleeping"]
+        return sleep
+
+    @sleeping.setter
+    @noted
+    def sleeping(self, value: Sleep | bool) -> None:
+        self._change(sleeping=value)
+
+    def _change(self, **given_anew: Any) -> None:
+        """Let other laws hold from the next tick on; all wake."""
+        self.laws = laws(**(given(self.laws) | given_anew))
         self.store.wake_all()
 
     @property
