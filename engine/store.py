@@ -375,6 +375,7 @@ class Store:
         from engine.kernels.pairing import link
 
         self.before = None
+        loose = self.tables.state.loose[0] or self.joints or snapshot.joints
         self.make_room("grid", 4 * len(snapshot.tables["pieces"][0]))
         self.make_room_for_pairs(len(snapshot.tables["pairs"][0]))
         for name, saved in snapshot.tables.items():
@@ -388,7 +389,7 @@ class Store:
         self.acting = {law.id: law for law in snapshot.force_laws}
         self.list_fields()
         self.joints = list(snapshot.joints)
-        self.tables.state.loose[0] = 1
+        self.tables.state.loose[0] |= int(bool(loose))
         self.tables.progress.straight[0] = 0
 
     def digest(self) -> str:

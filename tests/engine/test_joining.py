@@ -279,3 +279,46 @@ def test_joints_are_recorded_and_replayed() -> None:
         rope.remove()
         world.step()
     assert replay(recording).digest() == world.digest()
+
+
+def test_a_joint_that_was_removed_does_not_come_back_with_an_older_moment() -> None:
+    """Where no step lies between its removal and the return to a moment without joints."""
+    world = World(gravity=(0, -9.81))
+    body = world.add(Circle(0.5), position=(0, 0))
+    moment = world.snapshot()
+    joint = world.join(None, body, Pin(at=(0, 0)))
+    world.step()
+    joint.remove()
+    world.restore(moment)
+    world.step()
+    assert body.vy == pytest.approx(-9.81 / 60)
+
+
+def test_springs_and_motors_may_be_set_anew() -> None:
+    world = World(gravity=(0, -10), integrator="velocity-verlet")
+    body = world.add(Circle(0.5), mass=2.0, position=(0, -1))
+    wheel = world.add(Circle(0.5), mass=2.0, position=(5, 0))
+    spring = world.join(None, body, Spring(100.0, 50.0, anchor_a=(0, 0), length=1.0))
+    axle = world.join(None, wheel, Pin(at=(5, 0), motor_speed=100.0))
+    rail = world.join(None, world.add(Circle(0.5), position=(9, 0)), Slider((1, 0)))
+    with world.record() as recording:
+        assert (spring.stiffness, spring.damping) == (100.0, 50.0)
+        assert (axle.max_torque, rail.max_force) == (math.inf, math.inf)
+        spring.stiffness, spring.damping, axle.max_torque, rail.max_force = 200.0, 60.0, 0.5, 3
+        assert (axle.max_torque, rail.max_force) == (0.5, 3.0)
+        world.run(600)
+    assert body.y == pytest.approx(-1.1)  # m g / k
+    assert axle.torque == pytest.approx(0.5)
+    assert replay(recording).digest() == world.digest()
+    before = world.digest()
+    for joint, name, value in (
+        (spring, "stiffness", -1), (spring, "damping", math.nan), (spring, "max_torque", 1),
+        (axle, "max_torque", 0), (axle, "max_force", 1), (rail, "max_force", None),
+    ):  # fmt: skip
+        with pytest.raises((TypeError, ValueError), match=name):
+            setattr(joint, name, value)
+    spring.damping = 0
+    with pytest.raises(ValueError, match="a spring needs a stiffness or a damping"):
+        spring.stiffness = 0
+    spring.damping = 60.0
+    assert world.digest() == before

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from engine import Circle, World, jit, machine_code, modes, warming
+from engine import Circle, Pin, World, jit, machine_code, modes, warming
 
 ROOT = Path(jit.__file__).parents[1]
 
@@ -217,3 +217,18 @@ def test_two_processes_compile_in_the_background_and_change_over_between_ticks(
     told = [process.communicate(timeout=600) for process in both]
     assert told == [("True ['interpreted', 'compiled'] True\n", "")] * 2
     assert len(list(tmp_path.glob("engine/__pycache__/pointers.*.nbi"))) == 1
+
+
+def test_joints_count_as_work(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A bridge of thirty planks was interpreted for two minutes, as if its joints cost nothing."""
+    asked: list[int] = []
+    monkeypatch.setenv("LAWS_KERNELS", "auto")
+    monkeypatch.setattr("engine.clockwork.ready_in_background", lambda: asked.append(world.tick))
+    world = World()
+    before = None
+    for i in range(30):
+        link = world.add(Circle(0.1), position=(i, 0), mask=0)
+        world.join(before, link, Pin(at=(i - 0.5, 0)))
+        before = link
+    world.run(150)
+    assert 100 < asked[0] < 150
