@@ -45,7 +45,7 @@ def ask(store: Store, laws: Laws, dt: float) -> None:
         dt: length of the tick (s).
     """
     fields = store.tables.fields
-    with ExitStack() as undo:
+    with store.asked(), ExitStack() as undo:
         undo.callback(put_back, *copied(fields, ANSWERS, fields.used[0]))
         for i, (x, y, torque) in answers(store, store.time):
             fields.x[i], fields.y[i], fields.torque[i] = x, y, torque

@@ -11,6 +11,7 @@ from engine.clockwork import Clockwork
 from engine.collision import Collision
 from engine.shapes import Barrier
 from engine.tracks import Tracks
+from engine.validate import shown
 
 if TYPE_CHECKING:
     from engine.world import World
@@ -37,6 +38,7 @@ def run(
     """Step many times; see `World.run`."""
     ticks, dt = validate.whole(ticks, "ticks", 0), validate.tick(dt)
     names, collisions = _names(record), validate.truth(collisions, "collisions")
+    world.store.refuse_while_asking()
     if _needs_python(world):
         return _step_by_step(world, ticks, dt, names, collisions)
     return _at_once(world, clockwork, ticks, dt, names, collisions)
@@ -161,7 +163,7 @@ def _names(record: Iterable[str]) -> list[str]:
     names = [record] if isinstance(record, str) else validate.sequence(record, "record", known)
     for name in names:
         if not isinstance(name, str) or name not in RECORDED:
-            raise ValueError(f"record knows {', '.join(RECORDED)}, not {validate.shown(name)}")
+            raise ValueError(f"record knows {', '.join(RECORDED)}, not {shown(name)}")
     return names
 
 
@@ -182,9 +184,7 @@ def set_state(world: "World", given: Any) -> None:
     try:
         wanted = np.asarray(given, dtype=np.float64)
     except (TypeError, ValueError, OverflowError):
-        raise TypeError(
-            f"a state must be an array of numbers, not {validate.shown(given)}"
-        ) from None
+        raise TypeError(f"a state must be an array of numbers, not {shown(given)}") from None
     if wanted.ndim != 2 or wanted.shape[1] != len(STATE):
         raise ValueError(f"a state has rows of {', '.join(STATE)}, not the shape {wanted.shape}")
     if not np.isfinite(wanted).all():

@@ -160,7 +160,8 @@ class Clockwork:
         if status == FULL:
             store.make_room_for_pairs(progress.wanted[0])
         elif status == UNMIXED:
-            mix_by_rules(store.tables, *rules)
+            with store.asked():
+                mix_by_rules(store.tables, *rules)
         elif status == LOOSE:
             store.order_joints()
         elif status == LOST:

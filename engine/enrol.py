@@ -7,6 +7,7 @@ from engine import filters, materials, validate
 from engine.kernels.pose import put
 from engine.shapes import ORIGIN, Barrier, Particle, Piece, Shape
 from engine.tables import Corners, Tables, clear_row
+from engine.validate import shown
 from engine.vector import distance
 
 HUGE = 1e100
@@ -32,11 +33,11 @@ def initial_values(shape: Shape, given: dict[str, Any]) -> dict[str, float]:
     """
     kind = "dynamic" if given["kind"] is None else given["kind"]
     if not isinstance(kind, str) or kind not in KINDS:
-        raise ValueError(f"kind must be one of {', '.join(KINDS)}, not {validate.shown(kind)}")
+        raise ValueError(f"kind must be one of {', '.join(KINDS)}, not {shown(kind)}")
     if isinstance(shape, Barrier):
         _refuse(given, ("mass", "position", "angle", "velocity", "spin", "inertia"), WALL)
         if given["kind"] not in (None, "static"):
-            raise ValueError(f"{WALL} kind {kind!r}")
+            raise ValueError(f"{WALL} kind {shown(kind)}")
         kind = "static"
     elif isinstance(shape, Particle):
         _refuse(given, ("inertia",), "a particle never rotates: it takes no")

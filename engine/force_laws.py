@@ -14,6 +14,7 @@ from engine.forces import Force, Torque
 from engine.inputs import noted
 from engine.tables import Fields, allocate, views
 from engine.tables.bodies import EVERY_BODY, GIVEN, POINT_GRAVITY, SPRING_TO
+from engine.validate import shown
 from engine.vector import Vector
 
 if TYPE_CHECKING:
@@ -154,9 +155,7 @@ def checked_law(law: Any) -> Law:
     """
     built_in = isinstance(law, PointGravity | SpringTo)
     if not built_in and (isinstance(law, type) or not callable(law)):
-        raise TypeError(
-            f"a law is a PointGravity, a SpringTo or a function, not {validate.shown(law)}"
-        )
+        raise TypeError(f"a law is a PointGravity, a SpringTo or a function, not {shown(law)}")
     checked: Law = law
     return checked
 
@@ -172,11 +171,11 @@ def checked_bodies(world: "World", bodies: Any) -> tuple[Body, ...] | None:
     if bodies is None:
         return None
     if isinstance(bodies, Body) or not isinstance(bodies, Iterable):
-        raise TypeError(f"bodies must be a list of bodies or None, not {bodies!r}")
+        raise TypeError(f"bodies must be a list of bodies or None, not {shown(bodies)}")
     chosen: dict[int, Body] = {}
     for body in bodies:
         if not isinstance(body, Body):
-            raise TypeError(f"a law acts on bodies, not on {body!r}")
+            raise TypeError(f"a law acts on bodies, not on {shown(body)}")
         world.row(body)
         if not body.is_dynamic:
             raise ValueError(f"{body.name} is {body.kind}: it takes no law of force")
@@ -236,8 +235,8 @@ def effort(returned: Any, law: ActingLaw) -> tuple[float, float, float]:
         return 0.0, 0.0, returned.value
     if not isinstance(returned, tuple) or len(returned) not in (2, 3):
         raise TypeError(
-            f"{law.law!r} must return a Force, a Torque, (fx, fy), (fx, fy, torque) or None, "
-            f"not {returned!r}"
+            f"{shown(law.law)} must return a Force, a Torque, (fx, fy), (fx, fy, torque) or None, "
+            f"not {shown(returned)}"
         )
     force = validate.vector(returned[:2], "the force of a law")
     turning = validate.finite(returned[2], "the torque of a law") if len(returned) == 3 else 0.0

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from engine import validate
 from engine.inputs import noted_only
+from engine.validate import shown
 
 if TYPE_CHECKING:
     from engine.world import World
@@ -70,7 +71,7 @@ def components(effort: Force | Torque) -> tuple[float, float, float]:
         return effort.x, effort.y, 0.0
     if isinstance(effort, Torque):
         return 0.0, 0.0, effort.value
-    raise TypeError(f"only a Force or a Torque can be exerted, not {effort!r}")
+    raise TypeError(f"only a Force or a Torque can be exerted, not {shown(effort)}")
 
 
 class Push:

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from engine import validate
 from engine.joints import KINDS, STRONGEST, UNLIMITED, Pin, Pulley, Rope, Slider, Spec, Spring, Weld
+from engine.validate import shown
 from engine.vector import Vector, distance, rotated
 
 if TYPE_CHECKING:
@@ -24,9 +25,7 @@ def joint_columns(
         TypeError, ValueError: in one sentence that names the value.
     """
     if not isinstance(spec, KINDS):
-        raise TypeError(
-            f"bodies are joined by a Pin, Rope, Spring, ..., not {validate.shown(spec)}"
-        )
+        raise TypeError(f"bodies are joined by a Pin, Rope, Spring, ..., not {shown(spec)}")
     if a is b:
         raise ValueError(f"{a.name if a else 'the world'} cannot be joined with itself")
     if isinstance(spec, Pulley) and (a is None or b is None):

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from engine import validate
+from engine.validate import shown
 from engine.vector import Vector
 
 UNLIMITED = (-math.inf, math.inf)
@@ -175,7 +176,7 @@ def check_spring(stiffness: float, damping: float) -> None:
 def check_limits(value: Any) -> tuple[float, float]:
     """Return a pair (low, high); either may be infinite."""
     if not isinstance(value, tuple | list) and getattr(value, "ndim", 0) != 1:
-        raise TypeError(f"limits must be a pair (low, high), not {validate.shown(value)}")
+        raise TypeError(f"limits must be a pair (low, high), not {shown(value)}")
     if len(value) != 2:
         raise ValueError(f"limits must be a pair (low, high), not {len(value)} of them")
     low, high = (

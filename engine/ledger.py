@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from engine.tables import Tables
+from engine.validate import shown
 from engine.vector import Vector
 
 if TYPE_CHECKING:
@@ -166,7 +167,7 @@ class Ledger(NamedTuple):
             TypeError: for what is no ledger.
         """
         if not isinstance(earlier, Ledger):
-            raise TypeError(f"only a Ledger can be compared with, not {earlier!r:.50}")
+            raise TypeError(f"only a Ledger can be compared with, not {shown(earlier)}")
         change: Ledger = _less(self, earlier)
         return change
 
@@ -206,11 +207,18 @@ def totals(tables: Tables) -> Any:
         return np.asarray(getattr(tables.bodies, name))[free]
 
     mass, vx, vy, spin = column("mass"), column("vx"), column("vy"), column("spin")
-    px, py = mass * vx, mass * vy
     inertia = np.where(column("inverse_inertia") > 0.0, column("inertia"), 0.0)
-    energy = (mass * (vx * vx + vy * vy) + inertia * spin * spin) / 2.0
-    angular = column("x") * py - column("y") * px + inertia * spin
-    return np.array([math.fsum(each.tolist()) for each in (px, py, angular, energy)])
+    with np.errstate(over="ignore", invalid="ignore"):  # a world that is about to diverge
+        px, py = mass * vx, mass * vy
+        energy = (mass * (vx * vx + vy * vy) + inertia * spin * spin) / 2.0
+        angular = column("x") * py - column("y") * px + inertia * spin
+        return np.array([_sum(each) for each in (px, py, angular, energy)])
+
+
+def _sum(values: Any) -> float:
+    """The sum, rounded once; of what no number can hold, as numpy says."""
+    total = float(values.sum())
+    return math.fsum(values.tolist()) if math.isfinite(total) else total
 
 
 def book_hand(tables: Tables, before: Any) -> None:

@@ -4,6 +4,7 @@ from typing import Any
 
 from engine import validate
 from engine.settings import AS_FRICTION
+from engine.validate import shown
 
 NOT_GIVEN = -1.0
 """A coefficient that two materials do not have of their own."""
@@ -15,7 +16,7 @@ LONGEST = 100
 def material_name(value: Any) -> str:
     """Check the name of a material."""
     if not isinstance(value, str):
-        raise TypeError(f"material must be a name, not {value!r}")
+        raise TypeError(f"material must be a name, not {shown(value)}")
     if not 0 < len(value) <= LONGEST:
         raise ValueError(f"material must have 1 to {LONGEST} characters, not {len(value)}")
     return value

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from engine.settings import Laws
 from engine.tables import Tables
+from engine.validate import shown
 
 MODES = ("auto", "interpreted", "compiled")
 
@@ -47,8 +48,8 @@ def resolve(mode: str) -> str:
         ValueError: if the mode, or the one that the environment names, is not known.
     """
     origin = "kernels"
-    if mode == "auto":
+    if isinstance(mode, str) and mode == "auto":
         mode, origin = os.environ.get(VARIABLE, "auto") or "auto", VARIABLE
-    if mode not in MODES:
-        raise ValueError(f"{origin} must be one of {', '.join(MODES)}, not {mode!r}")
+    if not isinstance(mode, str) or mode not in MODES:
+        raise ValueError(f"{origin} must be one of {', '.join(MODES)}, not {shown(mode)}")
     return mode

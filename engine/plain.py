@@ -12,6 +12,7 @@ from dataclasses import fields, is_dataclass
 from numbers import Integral, Real
 from typing import Any
 
+from engine.validate import shown
 from engine.vector import Vector
 
 Functions = Mapping[str, Callable[..., Any]]
@@ -47,7 +48,7 @@ def encode(value: Any) -> Any:
         return {"function": name_of(value)}
     if isinstance(value, Iterable):
         return [encode(each) for each in value]
-    raise TypeError(f"{value!r} cannot be saved")
+    raise TypeError(f"{shown(value)} cannot be saved")
 
 
 def encode_float(value: float) -> Any:
@@ -100,7 +101,7 @@ class Decoder:
         if isinstance(data, list | tuple):
             return tuple(self(each) for each in data)
         if not isinstance(data, dict) or len(data) != 1:
-            raise ValueError(f"{data!r} is no saved value")
+            raise ValueError(f"{shown(data)} is no saved value")
         ((kind, inside),) = data.items()
         return self._special(kind, inside)
 
@@ -110,17 +111,18 @@ class Decoder:
         if kind == "Vector":
             values = self(inside)
             if not isinstance(values, tuple) or len(values) != 2 or not _numbers(values):
-                raise ValueError(f"a saved Vector must be a pair of numbers, not {inside!r}")
+                raise ValueError(f"a saved Vector must be a pair of numbers, not {shown(inside)}")
             return Vector(float(values[0]), float(values[1]))
         if kind == "function":
-            if inside not in self._functions:
-                raise LookupError(f"the function {inside!r} was not saved: hand it in by its name")
+            if not isinstance(inside, str) or inside not in self._functions:
+                said = shown(inside)
+                raise LookupError(f"the function {said} was not saved: hand it in by its name")
             return self._functions[inside]
         if kind in self._kinds and isinstance(inside, dict):
             return self._record(self._kinds[kind], inside)
         if self._handle is not None and isinstance(inside, int):
             return self._handle(kind, inside)
-        raise ValueError(f"a saved value cannot be a {kind!r} of {inside!r}")
+        raise ValueError(f"a saved value cannot be a {shown(kind)} of {shown(inside)}")
 
     def _record(self, kind: Any, inside: dict[str, Any]) -> Any:
         """Make a dataclass: by its constructor, which refuses wrong values, then to the last bit.
@@ -138,7 +140,7 @@ class Decoder:
         made = kind(**{name: values[name] for name in asked}) if known else object.__new__(kind)
         for name, value in values.items():
             if known and type(value) is not type(getattr(made, name)):
-                raise ValueError(f"{name} of a saved {kind.__name__} cannot be {value!r}")
+                raise ValueError(f"{name} of a saved {kind.__name__} cannot be {shown(value)}")
             object.__setattr__(made, name, value)
         return made
 

@@ -5,6 +5,8 @@ goes on bit for bit. JSON writes a float in the shortest way that reads back as 
 """
 
 import math
+import sys
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, get_args, get_type_hints
 
 import numpy as np
@@ -24,6 +26,7 @@ from engine.shapes import Shape
 from engine.snapshot import Snapshot
 from engine.tables import Books, Counts, Joints, Tables, allocate, arrays
 from engine.tables.linkage import STRAINED
+from engine.validate import shown
 
 if TYPE_CHECKING:
     from engine.world import World
@@ -162,6 +165,9 @@ DERIVED = (
 TURNS = tuple(name for name in Books._fields if name.endswith("_turn"))
 """Columns of `Books` that worlds which were saved before there were any lack, all of them."""
 
+MOST = sys.float_info.max
+"""Largest number of all."""
+
 NOT_NEGATIVE = ("mass", "inverse_mass", "inertia", "inverse_inertia", "restitution", "friction")
 """Columns of `Bodies`."""
 
@@ -216,6 +222,14 @@ def functions_of(world: "World") -> dict[str, Any]:
     return named
 
 
+def by_name(functions: Any) -> Functions:
+    """Check functions that were handed in by their names; None is none."""
+    handed: dict[str, Any] = {} if functions is None else functions
+    if not isinstance(handed, Mapping) or not all(callable(each) for each in handed.values()):
+        raise TypeError(f"functions must be a dictionary of functions, not {shown(functions)}")
+    return handed
+
+
 def refill(world: "World", data: dict[str, Any], functions: Functions) -> None:
     """Make a new, empty world what `to_dict` said.
 
@@ -247,6 +261,7 @@ def refill(world: "World", data: dict[str, Any], functions: Functions) -> None:
     )
     if [body.id for body in handles] != list(tables["bodies"].id):
         raise ValueError("the handles of a saved world must have the ids of its bodies, in order")
+    _check_shapes(handles, tables)
     counts = tuple(np.array([len(tables[name][0])]) for name in Counts._fields)
     columns = {name: arrays(table) for name, table in tables.items()}
     acting = _force_laws(world, data["force_laws"], decode, handles)
@@ -297,9 +312,9 @@ def _number(name: str, value: Any, whole: bool) -> Any:
     """Check a finite number."""
     kinds = int if whole else int | float
     if isinstance(value, bool) or not isinstance(value, kinds):
-        raise TypeError(f"{name} of a saved world must be a number, not {value!r:.50}")
-    if not math.isfinite(value):
-        raise ValueError(f"{name} of a saved world must be finite, not {value}")
+        raise TypeError(f"{name} of a saved world must be a number, not {shown(value)}")
+    if not abs(value) <= MOST:
+        raise ValueError(f"{name} of a saved world must be finite, not {shown(value)}")
     return value if whole else float(value)
 
 
@@ -307,7 +322,9 @@ def _handle(world: "World", data: Any, decode: Decoder) -> Body:
     validate.keys(data, ("id", "name", "shape"), "a handle of a saved world")
     id, name, shape = data["id"], data["name"], decode(data["shape"])
     if not isinstance(name, str) or not isinstance(shape, Shape):
-        raise TypeError(f"a saved body must have a name and a shape, not {name!r} and {shape!r}")
+        raise TypeError(
+            f"a saved body must have a name and a shape, not {shown(name)} and {shown(shape)}"
+        )
     return Body(world, _number("id", id, True), shape, name)
 
 
@@ -382,12 +399,15 @@ def _check_rows(tables: dict[str, Any]) -> None:
         if (column(where) > most).any():
             raise ValueError(f"{where} of a saved world must be at most {most}")
     bodies, pairs = tables["bodies"], tables["pairs"]
-    for part in (bodies, tables["pieces"]):
-        if (part.first + part.corners > rows["corners"]).any() or (part.corners < 1).any():
+    pieces = tables["pieces"]
+    for part in (bodies, pieces):
+        if not _follow_each_other(part.first, part.corners, rows["corners"]):
             raise ValueError("the bodies of a saved world must have corners that are there")
-    if (bodies.first_piece + bodies.pieces > rows["pieces"]).any() or (bodies.pieces < 1).any():
+    if not _follow_each_other(bodies.first_piece, bodies.pieces, rows["pieces"]):
         raise ValueError("the bodies of a saved world must have pieces that are there")
-    body = tables["pieces"].body
+    body = pieces.body
+    if (body != np.repeat(np.arange(rows["bodies"]), bodies.pieces)).any():
+        raise ValueError("the pieces of a saved world must name the bodies whose they are")
     if (body[pairs.piece_a] != pairs.a).any() or (body[pairs.piece_b] != pairs.b).any():
         raise ValueError("the pairs of a saved world must name pieces of the bodies they name")
     if rows["contacts"] != 2 * rows["pairs"] or (pairs.a >= pairs.b).any():
@@ -395,6 +415,11 @@ def _check_rows(tables: dict[str, Any]) -> None:
     for name in NOT_NEGATIVE:
         if (getattr(bodies, name) < 0.0).any():
             raise ValueError(f"bodies.{name} of a saved world must not be negative")
+    for name in ("mass", "inertia"):
+        own, inverse = getattr(bodies, name), getattr(bodies, f"inverse_{name}")
+        with np.errstate(divide="ignore"):
+            if not ((own > 0.0) & ((inverse == 0.0) | (inverse == 1.0 / own))).all():
+                raise ValueError(f"inverse_{name} of a saved world must be that of its {name}")
     state = tables["state"]
     if rows["state"] != 1 or rows["books"] != 1 or state.dt[0] < 0.0 or state.base[0] < 0.0:
         raise ValueError(
@@ -406,3 +431,22 @@ def _check_rows(tables: dict[str, Any]) -> None:
             raise ValueError(f"next_{kind} of a saved world must be beyond {ids[-1]}")
     if (np.diff(bodies.id) <= 0).any() or (np.diff(pairs.piece_a << 32 | pairs.piece_b) <= 0).any():
         raise ValueError("the bodies and pairs of a saved world must stand in order, none twice")
+
+
+def _follow_each_other(first: Any, number: Any, rows: int) -> bool:
+    """Whether so many rows each from a first one on, one or more, are all the rows of a table."""
+    ends = np.cumsum(number)
+    whole = int(ends[-1]) == rows if len(ends) else rows == 0
+    return whole and bool((number >= 1).all() and (first == ends - number).all())
+
+
+def _check_shapes(handles: tuple[Body, ...], tables: dict[str, Any]) -> None:
+    """Refuse handles whose shapes are not those of the tables."""
+    bodies, pieces = tables["bodies"], tables["pieces"]
+    for row, body in enumerate(handles):
+        rows = slice(bodies.first_piece[row], bodies.first_piece[row] + bodies.pieces[row])
+        told = list(zip(pieces.corners[rows].tolist(), pieces.radius[rows].tolist(), strict=True))
+        if told != [(len(piece.corners), piece.radius) for piece in body.shape.pieces]:
+            raise ValueError(
+                f"{body.name} of a saved world must have the shape that is in its rows"
+            )

@@ -23,6 +23,7 @@ from engine.hulls import (
 from engine.kernels.elementary import cos_sin
 from engine.shapes import Barrier, Piece, Shape
 from engine.store import Store
+from engine.validate import shown
 from engine.vector import Vector
 
 SLACK = 1e-9
@@ -41,11 +42,11 @@ class Choice:
         self.store = store
         bits = filters.mask_bits(mask)
         if isinstance(leave_out, Body) or not isinstance(leave_out, Iterable):
-            raise TypeError(f"leave_out must be a list of bodies, not {leave_out!r}")
+            raise TypeError(f"leave_out must be a list of bodies, not {shown(leave_out)}")
         left_out = list(leave_out)
         for body in left_out:
             if not isinstance(body, Body):
-                raise TypeError(f"leave_out must be a list of bodies, not one of {body!r}")
+                raise TypeError(f"leave_out must be a list of bodies, not one of {shown(body)}")
         bodies, count = store.tables.bodies, store.count("bodies")
         self.rows = (np.asarray(bodies.category)[:count] & bits) != 0
         self.rows &= np.asarray(bodies.sensor)[:count] == 0
@@ -56,20 +57,24 @@ class Choice:
         """Rows of the pieces whose bounding circles come so near (m) to the line from a to b."""
         t, count = self.store.tables, self.store.count("pieces")
         p, bodies = t.pieces, t.bodies
-        row = np.asarray(p.body)[:count]
-        angle = np.asarray(bodies.angle)[row]
-        cos, sin = np.cos(angle), np.sin(angle)
-        x, y = np.asarray(p.x)[:count], np.asarray(p.y)[:count]
-        at_x = np.asarray(bodies.x)[row] + cos * x - sin * y
-        at_y = np.asarray(bodies.y)[row] + sin * x + cos * y
-        way_x, way_y = b.x - a.x, b.y - a.y
-        square = way_x * way_x + way_y * way_y
-        along = ((at_x - a.x) * way_x + (at_y - a.y) * way_y) / (square if square > 0.0 else 1.0)
-        share = np.clip(along, 0.0, 1.0)
-        off_x, off_y = at_x - a.x - share * way_x, at_y - a.y - share * way_y
-        size = abs(a.x) + abs(a.y) + abs(b.x) + abs(b.y) + np.abs(at_x) + np.abs(at_y)
-        far = np.asarray(p.reach)[:count] + within + SLACK * size
-        yield from map(int, np.flatnonzero(self.rows[row] & (off_x**2 + off_y**2 <= far**2)))
+        with np.errstate(over="ignore", invalid="ignore"):  # what is beyond all squares is far
+            row = np.asarray(p.body)[:count]
+            angle = np.asarray(bodies.angle)[row]
+            cos, sin = np.cos(angle), np.sin(angle)
+            x, y = np.asarray(p.x)[:count], np.asarray(p.y)[:count]
+            at_x = np.asarray(bodies.x)[row] + cos * x - sin * y
+            at_y = np.asarray(bodies.y)[row] + sin * x + cos * y
+            way_x, way_y = b.x - a.x, b.y - a.y
+            square = way_x * way_x + way_y * way_y
+            along = ((at_x - a.x) * way_x + (at_y - a.y) * way_y) / (
+                square if square > 0.0 else 1.0
+            )
+            share = np.clip(along, 0.0, 1.0)
+            off_x, off_y = at_x - a.x - share * way_x, at_y - a.y - share * way_y
+            size = abs(a.x) + abs(a.y) + abs(b.x) + abs(b.y) + np.abs(at_x) + np.abs(at_y)
+            far = np.asarray(p.reach)[:count] + within + SLACK * size
+            near = self.rows[row] & (off_x**2 + off_y**2 <= far**2)
+        yield from map(int, np.flatnonzero(near))
 
     def pieces(self) -> Iterator[int]:
         """Rows of all pieces of the bodies in question."""
@@ -135,7 +140,7 @@ class Choice:
     def along_sweep(self, shape: Shape, start: Any, end: Any, angle: Any) -> list[Hit]:
         """What a shape touches that moves from start to end without turning, in order."""
         if not isinstance(shape, Shape):
-            raise TypeError(f"only a shape can be cast, not {shape!r}")
+            raise TypeError(f"only a shape can be cast, not {shown(shape)}")
         if isinstance(shape, Barrier):
             raise ValueError(f"a wall is immovable: {shape} cannot be cast")
         a, b = validate.vector(start, "start"), validate.vector(end, "end")

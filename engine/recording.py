@@ -12,6 +12,7 @@ import numpy as np
 
 from engine import validate
 from engine.snapshot import STATE
+from engine.validate import shown
 
 if TYPE_CHECKING:
     from engine.world import World
@@ -160,11 +161,11 @@ def marks_of(world: "World") -> Any:
 def _bytes(mark: Any) -> bytes:
     """Four bytes a body, from base64."""
     if not isinstance(mark, str):
-        raise TypeError(f"a mark of a recording must be a string, not {mark!r:.50}")
+        raise TypeError(f"a mark of a recording must be a string, not {shown(mark)}")
     try:
         raw = b64decode(mark.encode("ascii"), validate=True)
     except ValueError:
-        raise ValueError(f"a mark of a recording must be base64, not {mark!r:.50}") from None
+        raise ValueError(f"a mark of a recording must be base64, not {shown(mark)}") from None
     if len(raw) % 4:
         raise ValueError(f"a mark of a recording must have four bytes a body, not {len(raw)} bytes")
     return raw

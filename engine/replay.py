@@ -10,6 +10,7 @@ from engine.force_laws import law_of
 from engine.forces import Push
 from engine.inputs import is_input
 from engine.recording import Recording, marks_of
+from engine.validate import shown
 from engine.world import World
 
 if TYPE_CHECKING:
@@ -48,12 +49,12 @@ def replay(
         TypeError, ValueError, LookupError: for a start that is no saved world.
     """
     from engine.plain import Decoder  # see `store`
-    from engine.portable import KINDS
+    from engine.portable import KINDS, by_name
 
     if not isinstance(recording, Recording):
-        raise TypeError(f"only a Recording can be replayed, not {recording!r:.50}")
+        raise TypeError(f"only a Recording can be replayed, not {shown(recording)}")
     world = World.from_dict(recording.start, functions, kernels)
-    decode = Decoder(KINDS, functions, lambda kind, id: _handle(world, kind, id))
+    decode = Decoder(KINDS, by_name(functions), lambda kind, id: _handle(world, kind, id))
     digests = {each["tick"]: each["digest"] for each in recording.digests}
     lengths = (dt for dt, ticks in recording.spans for _ in range(int(ticks)))
     waiting = list(reversed(recording.inputs))
@@ -76,7 +77,7 @@ def _do(world: World, entry: dict[str, Any], decode: "Decoder", functions: "Func
     what = "the arguments of an input"
     args, given = validate.listed(entry["args"], what), entry["given"]
     if not isinstance(given, dict):
-        raise TypeError(f"what an input was given must be a dictionary, not {given!r:.50}")
+        raise TypeError(f"what an input was given must be a dictionary, not {shown(given)}")
     if entry["call"] == "restore":
         from engine.portable import refill
 
@@ -86,7 +87,7 @@ def _do(world: World, entry: dict[str, Any], decode: "Decoder", functions: "Func
     call = getattr(type(target), str(entry["call"]), None)
     setter = call.fset if isinstance(call, property) else None
     if not is_input(setter or call):
-        raise ValueError(f"no input is called {entry['call']!r:.50}")
+        raise ValueError(f"no input is called {shown(entry['call'])}")
     values = decode(args)
     named = {name: decode(value) for name, value in given.items()}
     if setter is not None:
@@ -105,7 +106,7 @@ def _handle(world: World, kind: str, id: int) -> Any:
         return world.joint(id)
     if kind == "ActingLaw":
         return law_of(world, id)
-    raise ValueError(f"no input acts on a {kind!r:.50} of id {id}")
+    raise ValueError(f"no input acts on a {shown(kind)} of id {id}")
 
 
 def _compare(world: World, recorded: bytes) -> None:

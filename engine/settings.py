@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 from engine import validate
 from engine.forces import Drag, LinearDrag, QuadraticDrag
+from engine.validate import shown
 from engine.vector import Vector
 
 TICK = 1.0 / 60.0
@@ -74,12 +75,10 @@ def laws(
         TypeError, ValueError: in one sentence that names the value.
     """
     if drag is not None and not isinstance(drag, LinearDrag | QuadraticDrag):
-        raise TypeError(
-            f"drag must be LinearDrag, QuadraticDrag or None, not {validate.shown(drag)}"
-        )
+        raise TypeError(f"drag must be LinearDrag, QuadraticDrag or None, not {shown(drag)}")
     if not isinstance(integrator, str) or integrator not in INTEGRATORS:
         known = ", ".join(INTEGRATORS)
-        raise ValueError(f"integrator must be one of {known}, not {validate.shown(integrator)}")
+        raise ValueError(f"integrator must be one of {known}, not {shown(integrator)}")
     return Laws(
         *validate.vector(gravity, "gravity"),
         drag.k if isinstance(drag, LinearDrag) else 0.0,
@@ -109,7 +108,7 @@ def _sleep(sleeping: Any) -> tuple[float, float]:
         return 0.0, 0.0
     rule = Sleep() if sleeping is True else sleeping
     if not isinstance(rule, Sleep):
-        raise TypeError(f"sleeping must be True, False or a Sleep, not {validate.shown(sleeping)}")
+        raise TypeError(f"sleeping must be True, False or a Sleep, not {shown(sleeping)}")
     return rule.speed, rule.time
 
 

@@ -5,6 +5,8 @@ up needs none of them.
 """
 
 from bisect import bisect_left
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
@@ -50,8 +52,8 @@ class Store:
     """
 
     __slots__ = (
-        "acting", "before", "broken", "handles", "joints", "listened_to", "materials", "rows",
-        "tables",
+        "acting", "asking", "before", "broken", "handles", "joints", "listened_to", "materials",
+        "rows", "tables",
     )  # fmt: skip
 
     def __init__(self) -> None:
@@ -62,6 +64,8 @@ class Store:
         """The bodies in order of their rows, which is that of their ids."""
         self.listened_to = False
         """Whether a body ever had a function to call; see `callbacks`."""
+        self.asking = False
+        """Whether a function is being asked within a step: it must not change the world."""
         self.before: Any = None
         """Momentum and energy before anything was done since the last tick; None: nothing was."""
         self.rows: dict[int, int] = {}
@@ -337,8 +341,23 @@ class Store:
 
     # The whole.
 
+    @contextmanager
+    def asked(self) -> Iterator[None]:
+        """Ask functions that must not change the world: laws of force, and rules."""
+        self.asking = True
+        try:
+            yield
+        finally:
+            self.asking = False
+
+    def refuse_while_asking(self) -> None:
+        """Refuse to be changed by a function that is asked within a step."""
+        if self.asking:
+            raise RuntimeError("a law of force or a rule must not change the world that asks it")
+
     def distrust(self) -> None:
         """Let loads no longer be relied on: somebody acts on the world."""
+        self.refuse_while_asking()
         self.tables.state.trusted[0] = 0
 
     def open_books(self) -> None:

@@ -9,6 +9,7 @@ import numpy as np
 from engine import validate
 from engine.body import Body
 from engine.collision import Collision
+from engine.validate import shown
 
 
 @dataclass(frozen=True)
@@ -30,7 +31,7 @@ class Tracks:
         """One recorded name: an array (ticks + 1, bodies)."""
         if name not in self.columns:
             raise KeyError(
-                f"{name!r} was not recorded, only {', '.join(self.columns) or 'nothing'}"
+                f"{shown(name)} was not recorded, only {', '.join(self.columns) or 'nothing'}"
             )
         return self.columns[name]
 

@@ -23,7 +23,10 @@ their squares, stays within the range of numbers."""
 
 def shown(value: Any) -> str:
     """How a value reads in a sentence: on one line, its beginning if it is long."""
-    words = " ".join(repr(value).split())
+    try:
+        words = " ".join(repr(value).split())
+    except ValueError:  # an integer of more digits than Python writes
+        words = f"a huge {type(value).__name__}"
     return words if len(words) <= MOST_SHOWN else f"{words[:MOST_SHOWN]} ..."
 
 
@@ -100,9 +103,9 @@ def whole(value: Any, name: str, at_least: int, at_most: int | None = None) -> i
     if number is None or isinstance(value, bool):
         raise TypeError(f"{name} must be a whole number, not {shown(value)}")
     if number < at_least:
-        raise ValueError(f"{name} must be at least {at_least}, not {number}")
+        raise ValueError(f"{name} must be at least {at_least}, not {shown(number)}")
     if at_most is not None and number > at_most:
-        raise ValueError(f"{name} must be at most {at_most}, not {number}")
+        raise ValueError(f"{name} must be at most {at_most}, not {shown(number)}")
     return number
 
 
@@ -130,19 +133,19 @@ def vector(value: Any, name: str) -> Vector:
 def keys(data: Any, wanted: Iterable[str], what: str) -> None:
     """Refuse what is no dictionary with exactly these keys."""
     if not isinstance(data, dict):
-        raise TypeError(f"{what} must be a dictionary, not {shown(data):.50}")
+        raise TypeError(f"{what} must be a dictionary, not {shown(data)}")
     for key in wanted:
         if key not in data:
             raise ValueError(f"{what} must have {key!r}")
     for key in data:
         if key not in wanted:
-            raise ValueError(f"{what} has no {key!r}")
+            raise ValueError(f"{what} has no {shown(key)}")
 
 
 def listed(data: Any, what: str, length: int | None = None) -> list[Any]:
     """Return `data`, a list, of this length if one is given."""
     if not isinstance(data, list):
-        raise TypeError(f"{what} must be a list, not {shown(data):.50}")
+        raise TypeError(f"{what} must be a list, not {shown(data)}")
     if length is not None and len(data) != length:
         raise ValueError(f"{what} must have {length} rows, not {len(data)}")
     return data
@@ -151,7 +154,7 @@ def listed(data: Any, what: str, length: int | None = None) -> list[Any]:
 def version(value: Any, known: int, what: str) -> None:
     """Refuse saved data of another version."""
     if isinstance(value, bool) or value != known:
-        raise ValueError(f"{what} must have the format {known}, not {shown(value):.50}")
+        raise ValueError(f"{what} must have the format {known}, not {shown(value)}")
 
 
 def sequence(value: Any, name: str, at_most: int) -> list[Any]:

@@ -74,7 +74,7 @@ class Vector(NamedTuple):
 
     def rotated(self, angle: float) -> "Vector":
         """Turned to the left (rad)."""
-        return rotated(self, angle)
+        return rotated(self, _number(angle))
 
     def normalized(self) -> "Vector":
         """Of the same direction and the length 1; the null vector as it is."""
@@ -84,8 +84,9 @@ class Vector(NamedTuple):
     @classmethod
     def polar(cls, length: float, angle: float) -> Self:
         """The vector of a length that points in a direction (rad, from the x axis to the left)."""
-        cos, sin = cos_sin(angle)
-        return cls(length * cos, length * sin)
+        size = _number(length)
+        cos, sin = cos_sin(_number(angle))
+        return cls(size * cos, size * sin)
 
     @property
     def angle(self) -> float:
@@ -116,15 +117,18 @@ def _pair(other: Any) -> tuple[float, float]:
     listed = isinstance(other, tuple | list) and len(other) == 2
     if listed or getattr(other, "shape", None) == (2,):
         x, y = other
-        return x, y
-    raise TypeError(f"a Vector goes with another or with a pair of numbers, not with {other!r:.99}")
+        if isinstance(x, Real) and isinstance(y, Real):
+            return x, y  # type: ignore[return-value]
+    said = " ".join(f"{other!r:.99}".split())
+    raise TypeError(f"a Vector goes with another or with a pair of numbers, not with {said}")
 
 
 def _number(by: Any) -> float:
     """Refuse what is no number."""
     if isinstance(by, Real) and by is not True and by is not False:
         return float(by)
-    raise TypeError(f"a Vector is multiplied or divided by a number, not by {by!r:.99}")
+    said = " ".join(f"{by!r:.99}".split())
+    raise TypeError(f"a Vector is multiplied, divided and turned by a number, not by {said}")
 
 
 def distance(a: tuple[float, float], b: tuple[float, float]) -> float:

@@ -27,6 +27,7 @@ from engine.snapshot import Snapshot
 from engine.store import Store
 from engine.tables import Bodies, Tables
 from engine.tracks import Tracks
+from engine.validate import shown
 from engine.vector import Vector
 
 if TYPE_CHECKING:
@@ -98,6 +99,7 @@ class World:
         """
         dt = validate.tick(dt)
         store = self.store
+        store.refuse_while_asking()
         if store.before is not None:
             store.close_books()
         poses = callbacks.poses(store) if store.listened_to else []
@@ -192,7 +194,9 @@ class World:
         other's `mask` names, and if both are of the same `group` other than 0.
         """
         if not isinstance(shape, Shape):
-            raise TypeError(f"a body needs a shape, such as a Circle or a Polygon, not {shape!r}")
+            raise TypeError(
+                f"a body needs a shape, such as a Circle or a Polygon, not {shown(shape)}"
+            )
         wanted = {
             "kind": kind,
             "mass": mass,
@@ -270,7 +274,7 @@ class World:
 
     def _own(self, body: Body) -> None:
         if not isinstance(body, Body):
-            raise TypeError(f"it takes a body of this world, not {body!r}")
+            raise TypeError(f"it takes a body of this world, not {shown(body)}")
         self.row(body)
 
     def _two_bodies(self, a: Body, b: Body) -> None:
@@ -597,8 +601,9 @@ class World:
         Names, and functions that bodies call back, stay what they are.
         """
         if not isinstance(snapshot, Snapshot):
-            raise TypeError(f"only a Snapshot can be restored, not {snapshot!r}")
-        if any(body._world is not self for body in snapshot.handles):
+            raise TypeError(f"only a Snapshot can be restored, not {shown(snapshot)}")
+        belongs: Any = (*snapshot.handles, *snapshot.joints, *snapshot.force_laws)
+        if any(each._world is not self for each in belongs):
             raise ValueError("the snapshot is of another world")
         self.store.restore(snapshot)
         self.laws, self.rules = snapshot.laws, snapshot.rules
@@ -632,7 +637,7 @@ class World:
         from engine import portable  # see `store`
 
         world = cls(kernels=kernels)
-        portable.refill(world, data, functions or {})
+        portable.refill(world, data, portable.by_name(functions))
         return world
 
     def record(self) -> Recording:

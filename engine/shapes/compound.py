@@ -11,6 +11,7 @@ from engine.shapes.concave import Concave
 from engine.shapes.piece import Piece
 from engine.shapes.polygon import Box, Polygon
 from engine.shapes.round import Capsule, Circle
+from engine.validate import shown
 from engine.vector import Vector
 
 MOST_PARTS = 4096
@@ -97,7 +98,7 @@ def _part(given: Any, name: str) -> tuple[Part, Vector, float]:
     if not each or len(each) > 3 or not isinstance(each[0], JOINABLE):
         raise TypeError(
             f"{name} must be a Circle, Capsule, Polygon, Box, Concave or Compound, with an offset "
-            f"and an angle if there are any, not {given!r}"
+            f"and an angle if there are any, not {shown(given)}"
         )
     offset = validate.vector(each[1] if len(each) > 1 else (0.0, 0.0), f"{name} offset")
     return each[0], offset, validate.finite(each[2] if len(each) > 2 else 0.0, f"{name} angle")

@@ -9,6 +9,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Callable
+from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -305,6 +306,21 @@ REFUSED: list[tuple[str, Callable[[Body], Any]]] = [
     ("nearest within an array", lambda body: body._world.nearest((0, 0), within=np.ones(2))),
     ("a torque of None", lambda body: Pin((0, 0), motor_speed=1.0, max_torque=None)),
     ("a ratio of None", lambda body: Pulley((0, 9), (1, 9), ratio=None)),
+    ("limits of arrays", lambda body: Pin((0, 0), limits=(np.ones(2), 1))),
+    ("an integrator of arrays", lambda body: World(integrator=np.array(["rk4", "x"]))),  # type: ignore[arg-type]
+    ("kernels of arrays", lambda body: World(kernels=np.array(["auto", "x"]))),  # type: ignore[arg-type]
+    ("more substeps than any", lambda body: setattr(body._world, "substeps", 10**30)),
+    ("a record of a number", lambda body: body._world.run(1, record=3)),
+    ("a record of None", lambda body: body._world.run(1, record=None)),
+    ("collisions that may be", lambda body: body._world.run(1, collisions="yes")),
+    ("a body of a list", lambda body: body._world.body([1])),
+    ("a body of a body", lambda body: body._world.body(body)),
+    ("a joint of text", lambda body: body._world.joint("x")),
+    ("tracks of text", lambda body: body._world.run(0).of("box")),
+    ("a position without end", lambda body: setattr(body, "position", count())),
+    ("a number of more digits than are written", lambda body: setattr(body, "mask", 10**5000)),
+    ("a matrix for a force", lambda body: body.exert(np.eye(2))),
+    ("functions of an array", lambda body: World.from_dict({}, functions=np.ones(2))),
     ("offsets beyond all sums", lambda body: Compound([Circle(1), (Circle(1), (1e308, 1e308))])),
     (
         "masses beyond all sums",
@@ -328,3 +344,67 @@ def test_what_is_refused_changes_nothing(name: str, call: Callable[[Body], Any])
     assert 10 < len(str(refused.value)) < 400
     assert "\n" not in str(refused.value)
     assert world.digest() == before
+
+
+CHANGES: list[tuple[str, Callable[[Body], Any]]] = [
+    ("step", lambda body: body._world.step()),
+    ("run", lambda body: body._world.run(3)),
+    ("add", lambda body: body._world.add(Circle(1))),
+    ("remove", lambda body: body._world.remove(body)),
+    ("join", lambda body: body._world.join(None, body, Pin(at=(0, 0)))),
+    ("velocity", lambda body: setattr(body, "velocity", (1, 1))),
+    ("gravity", lambda body: setattr(body._world, "gravity", (1, 1))),
+    ("restore", lambda body: body._world.restore(body._world.snapshot())),
+    ("exert", lambda body: body.exert(Force(1, 0))),
+]
+
+
+@pytest.mark.parametrize(("name", "change"), CHANGES, ids=[name for name, _ in CHANGES])
+@pytest.mark.parametrize("who", ["law", "rule"])
+def test_what_is_asked_within_a_step_cannot_change_the_world(
+    name: str, change: Callable[[Body], Any], who: str
+) -> None:
+    """A law that removed a body made the step fail by IndexError; others broke the books."""
+    del name
+    world = World(gravity=(0, -9.81))
+    world.add(Wall((-5, 0), (5, 0)))
+    body = world.add(Box(1, 1), position=(0, 0.5))
+    asked = []
+
+    def meddle(*_: Any) -> Any:
+        asked.append(world.tick)
+        change(body)
+
+    if who == "law":
+        law = world.add_law(meddle)
+    else:
+        world.friction_rule = meddle
+    before = world.digest()
+    with pytest.raises(RuntimeError, match="a law of force or a rule must not change the world"):
+        world.step()
+    assert asked == [0]
+    if who == "law":
+        assert world.digest() == before
+        law.remove()
+    else:
+        world.friction_rule = None  # type: ignore[assignment]
+    world.step()
+    assert world.tick == 1
+
+
+def test_a_moment_of_another_world_is_refused() -> None:
+    """Also one that has no body, but a law of force."""
+    other, world = World(), World()
+    other.add_law(SpringTo((0, 0), 1.0))
+    with pytest.raises(ValueError, match="the snapshot is of another world"):
+        world.restore(other.snapshot())
+    assert world.force_laws == ()
+
+
+def test_what_is_too_fast_for_all_squares_is_told_without_a_warning() -> None:
+    world = World()
+    a, b = world.add(Circle(1)), world.add(Circle(1), position=(1e200, 5))
+    a.velocity, b.velocity = (1e200, 0), (-1e200, 0)
+    assert world.kinetic_energy == world.ledger().kinetic == math.inf
+    assert world.query_point((0, 0)) == [a]
+    assert world.cast_ray((-5, 0), (5, 0)) is not None

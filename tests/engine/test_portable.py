@@ -163,6 +163,17 @@ WRONG: list[tuple[str, Change]] = [
     ("state.dt .* rows|one row of state", lambda d: d["tables"]["state"].update(dt=[])),
     ("integrator 7", lambda d: d["laws"].update(integrator=7)),
     ("drag", lambda d: d["laws"].update(linear_drag=-1.0)),
+    ("one law of drag", lambda d: d["laws"].update(linear_drag=1.0, quadratic_drag=1.0)),
+    ("substeps", lambda d: d["laws"].update(substeps=10**30)),
+    ("gravity_x .* finite, not 1000", lambda d: d["laws"].update(gravity_x=10**400)),
+    ("corners that are there", lambda d: d["tables"]["bodies"]["corners"].__setitem__(3, 3)),
+    ("pieces that are there", lambda d: d["tables"]["bodies"]["first_piece"].__setitem__(3, 0)),
+    ("bodies whose they are", lambda d: d["tables"]["pieces"]["body"].__setitem__(3, 0)),
+    ("inverse_mass .* its mass", lambda d: d["tables"]["bodies"]["mass"].__setitem__(3, 7.0)),
+    (
+        "must have the shape whose pieces",
+        lambda d: d["handles"][-1].update(shape={"Circle": {"radius": 77.0}}),
+    ),
 ]
 
 
