@@ -171,7 +171,7 @@ WRONG: list[tuple[str, Change]] = [
     ("bodies whose they are", lambda d: d["tables"]["pieces"]["body"].__setitem__(3, 0)),
     ("inverse_mass .* its mass", lambda d: d["tables"]["bodies"]["mass"].__setitem__(3, 7.0)),
     (
-        "must have the shape whose pieces",
+        "must have the shape that is in its rows",
         lambda d: d["handles"][-1].update(shape={"Circle": {"radius": 77.0}}),
     ),
 ]
