@@ -27,9 +27,7 @@ def initial_values(shape: Shape, given: dict[str, Any]) -> dict[str, float]:
 
     Args:
         shape: of the body.
-        given: kind, mass, inertia, position, angle, velocity, spin (each None if not given),
-            restitution, friction, static_friction, rolling_resistance, surface_speed, material,
-            gravity_scale, fixed_rotation, sensor, category, mask and group.
+        given: all that `World.add` takes but names and functions, by its names.
     """
     kind = "dynamic" if given["kind"] is None else given["kind"]
     if not isinstance(kind, str) or kind not in KINDS:

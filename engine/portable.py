@@ -59,8 +59,6 @@ ROWS_OF = {
     "bodies.first_piece": "pieces",
     "pieces.body": "bodies",
     "pieces.first": "corners",
-    "pieces.before": "pieces",
-    "pieces.after": "pieces",
     "pairs.a": "bodies",
     "pairs.b": "bodies",
     "pairs.piece_a": "pieces",
@@ -106,6 +104,8 @@ COUNTS = (
     "bodies.corners",
     "bodies.pieces",
     "pieces.corners",
+    "pieces.before",
+    "pieces.after",
     "bodies.group",
     "bodies.material",
     "materials.a",
@@ -408,6 +408,8 @@ def _check_rows(tables: dict[str, Any]) -> None:
     body = pieces.body
     if (body != np.repeat(np.arange(rows["bodies"]), bodies.pieces)).any():
         raise ValueError("the pieces of a saved world must name the bodies whose they are")
+    if (np.maximum(pieces.before, pieces.after) > bodies.pieces[body]).any():
+        raise ValueError("the neighbours of a saved link must be links of its chain")
     if (body[pairs.piece_a] != pairs.a).any() or (body[pairs.piece_b] != pairs.b).any():
         raise ValueError("the pairs of a saved world must name pieces of the bodies they name")
     if rows["contacts"] != 2 * rows["pairs"] or (pairs.a >= pairs.b).any():

@@ -1,6 +1,7 @@
 """A pair of numbers with a direction, and its geometry, to the same bits on every machine."""
 
 import math
+from contextlib import suppress
 from numbers import Real
 from typing import Any, NamedTuple, Self
 
@@ -126,7 +127,8 @@ def _pair(other: Any) -> tuple[float, float]:
 def _number(by: Any) -> float:
     """Refuse what is no number."""
     if isinstance(by, Real) and by is not True and by is not False:
-        return float(by)
+        with suppress(OverflowError):
+            return float(by)
     said = " ".join(f"{by!r:.99}".split())
     raise TypeError(f"a Vector is multiplied, divided and turned by a number, not by {said}")
 

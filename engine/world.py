@@ -198,19 +198,13 @@ class World:
                 f"a body needs a shape, such as a Circle or a Polygon, not {shown(shape)}"
             )
         wanted = {
-            "kind": kind,
-            "mass": mass,
-            "position": position,
-            "angle": angle,
-            "velocity": velocity,
-        }
-        wanted |= {"spin": spin, "inertia": inertia}
-        wanted |= {"restitution": restitution, "friction": friction}
-        wanted |= {"static_friction": static_friction, "rolling_resistance": rolling_resistance}
-        wanted |= {"surface_speed": surface_speed, "material": material}
-        wanted |= {"gravity_scale": gravity_scale, "fixed_rotation": fixed_rotation}
-        wanted |= {"sensor": sensor}
-        wanted |= {"category": category, "mask": mask, "group": group}
+            "kind": kind, "mass": mass, "inertia": inertia, "fixed_rotation": fixed_rotation,
+            "position": position, "angle": angle, "velocity": velocity, "spin": spin,
+            "restitution": restitution, "friction": friction, "static_friction": static_friction,
+            "rolling_resistance": rolling_resistance, "surface_speed": surface_speed,
+            "material": material, "gravity_scale": gravity_scale, "sensor": sensor,
+            "category": category, "mask": mask, "group": group,
+        }  # fmt: skip
         values = initial_values(shape, wanted)
         name = None if name is None else validate.text(name, "name")
         on_move = validate.function_or_none(on_move, "on_move")

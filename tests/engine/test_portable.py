@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from engine import Circle, Force, LinearDrag, Particle, Polygon, Torque, Wall, World
+from engine import Chain, Circle, Force, LinearDrag, Particle, Polygon, Torque, Wall, World
 from engine.plain import Decoder, encode
 from engine.portable import AT_MOST, COUNTS, DERIVED, KINDS, ROWS_OF, TABLES
 from engine.tables import allocate, arrays
@@ -169,6 +169,7 @@ WRONG: list[tuple[str, Change]] = [
     ("corners that are there", lambda d: d["tables"]["bodies"]["corners"].__setitem__(3, 3)),
     ("pieces that are there", lambda d: d["tables"]["bodies"]["first_piece"].__setitem__(3, 0)),
     ("bodies whose they are", lambda d: d["tables"]["pieces"]["body"].__setitem__(3, 0)),
+    ("links of its chain", lambda d: d["tables"]["pieces"]["after"].__setitem__(0, 9)),
     ("inverse_mass .* its mass", lambda d: d["tables"]["bodies"]["mass"].__setitem__(3, 7.0)),
     (
         "must have the shape that is in its rows",
@@ -215,3 +216,11 @@ def test_values_come_back_as_they_were() -> None:
         encode(math.nan)
     with pytest.raises(TypeError, match="cannot be saved"):
         encode(object())
+
+
+@pytest.mark.parametrize("loop", [False, True])
+def test_a_world_of_one_chain_is_saved(loop: bool) -> None:
+    """Its last link was taken for one that is not there, where no other body came after it."""
+    world = World()
+    world.add(Chain([(0, 0), (4, 0), (4, 4), (0, 4)], loop=loop))
+    assert World.from_dict(json.loads(json.dumps(world.to_dict()))).digest() == world.digest()
