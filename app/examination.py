@@ -1,5 +1,6 @@
 """Whether this installation works, and what to do if not: what `laws doctor` looks at."""
 
+import importlib
 import os
 import platform
 import sys
@@ -11,8 +12,14 @@ from typing import NamedTuple
 from app.installation import DISTRIBUTION, extra_command, installed, own_version, pygame_trouble
 from screens.kit.words import languages
 
-NEEDED = ("numpy", "pillow", "ruamel.yaml", "typer", "rich")
-"""Packages without which nothing works, besides pygame-ce."""
+NEEDED = {
+    "numpy": "numpy",
+    "pillow": "PIL.Image",
+    "ruamel.yaml": "ruamel.yaml",
+    "typer": "typer",
+    "rich": "rich.progress",
+}
+"""Packages without which nothing works, besides pygame-ce; of each a module that is used."""
 
 
 class Finding(NamedTuple):
@@ -26,7 +33,15 @@ class Finding(NamedTuple):
 
 def findings() -> list[Finding]:
     """Look at everything, in the order in which it is told."""
-    return [finding for look in LOOKS for finding in look()]
+    return [finding for look in LOOKS for finding in _told(look)]
+
+
+def _told(look: Callable[[], Iterator[Finding]]) -> Iterator[Finding]:
+    """What a look finds; if it needs a package that is not there, that."""
+    try:
+        yield from look()
+    except ImportError as error:
+        yield Finding("bad", f"{error}: install this package anew")
 
 
 def _python() -> Iterator[Finding]:
@@ -36,10 +51,16 @@ def _python() -> Iterator[Finding]:
 
 
 def _packages() -> Iterator[Finding]:
-    for name in NEEDED:
+    for name, module in NEEDED.items():
         version = installed(name)
         if version is None:
             yield Finding("bad", f"{name} is not installed: python -m pip install {name}")
+            continue
+        try:
+            importlib.import_module(module)
+        except ImportError as error:
+            mend = f"python -m pip install --force-reinstall {name}"
+            yield Finding("bad", f"{name} {version} does not work: {error}: {mend}")
         else:
             yield Finding("ok", f"{name} {version}")
     trouble = pygame_trouble()

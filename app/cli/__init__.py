@@ -35,7 +35,7 @@ def main() -> None:
             traceback.print_exc()
         else:
             streams.say(f"laws: {_sentence(error)}")
-        sys.exit(1)
+        sys.exit(2 if isinstance(error, ImportError) else 1)
     finally:
         gc.freeze()  # nothing to look for any more: the process ends
 
@@ -43,5 +43,7 @@ def main() -> None:
 def _sentence(error: Exception) -> str:
     if isinstance(error, streams.ResultLost):
         return str(error)
+    if isinstance(error, ImportError):
+        return f"the installation is broken: {error}; 'laws doctor' says what to do"
     said = " ".join(str(error).split()) or type(error).__name__
     return f"something went wrong: {said}; run again with --debug for details"

@@ -151,6 +151,37 @@ def test_doctor_tells_that_pygame_hides_pygame_ce(tmp_path):
     assert "python -m pip uninstall -y pygame pygame-ce" in err
 
 
+BROKEN = """
+import sys
+
+class Gone:
+    def find_spec(self, name, path=None, target=None):
+        if name == "numpy":
+            raise ModuleNotFoundError("No module named 'numpy'", name=name)
+
+sys.meta_path.insert(0, Gone())
+from app.cli import main
+main()
+"""
+"""Runs `laws` as if the files of numpy were gone."""
+
+
+@pytest.mark.parametrize("command", ["list", "doctor"])
+def test_a_broken_installation_is_told_in_a_sentence(command, tmp_path):
+    done = subprocess.run(
+        [sys.executable, "-c", BROKEN, command],
+        cwd=tmp_path, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert done.returncode == 2
+    said = (
+        "laws: the installation is broken: No module named 'numpy'; 'laws doctor' says what to do"
+        if command == "list"
+        else "bad   numpy "
+    )
+    assert said in done.stdout + done.stderr
+    assert "Traceback" not in done.stderr
+
+
 @pytest.mark.parametrize("command", [("--help",), ("check", "push.yaml"), ("list",)])
 def test_nothing_heavy_is_imported_before_it_is_used(command, push, tmp_path):
     _, _, err = laws(*command, folder=tmp_path, interpreter=("-X", "importtime"))
