@@ -181,3 +181,18 @@ def resist_rolling(t: Tables, pair: int, spinning: float, turn: float) -> float:
         after = -most
     pairs.rolling_torque[pair] = after / part
     return after - before
+
+
+def resist_rolling_gripped(t: Tables, pair: int, spinning: float, slip: float) -> float:
+    """The same for a contact of one point, as if friction then took all of its `slip` (m/s).
+
+    If friction can, both together are solved exactly, in one step; if it cannot, it does all that
+    it can, whatever resists the rolling, which is then solved for that.
+    """
+    inverse_inertia = t.bodies.inverse_inertia
+    row = 2 * pair
+    turn_a = inverse_inertia[t.pairs.a[pair]]
+    turn_b = inverse_inertia[t.pairs.b[pair]]
+    cross = turn_a * t.contacts.tangent_arm_a[row] + turn_b * t.contacts.tangent_arm_b[row]
+    shared = cross * t.contacts.tangent_mass[row]
+    return resist_rolling(t, pair, spinning - shared * slip, turn_a + turn_b - shared * cross)

@@ -4,7 +4,7 @@ Each sweep brings the impulses nearer to those that suit all (projected Gauss-Se
 "Iterative dynamics with temporal coherence", 2005). They start from those of the part before.
 """
 
-from engine.kernels.rubbing import resist_rolling
+from engine.kernels.rubbing import resist_rolling, resist_rolling_gripped
 from engine.tables import Tables
 
 QUIET, STIRRED, WILD = 0, 1, 2
@@ -143,8 +143,18 @@ def sweep(t: Tables, resting: int, calm: float, backwards: bool) -> int:
                     found = STIRRED
                 if change > wilder * most or -change > wilder * most:
                     found = WILD
+        turns = turn_a + turn_b
+        rolls = pairs.rolling_resistance[pair] > 0.0 and turns > 0.0
+        rolled = 0.0
         if grip > 0.0:
             sliding += pairs.belt_speed[pair]
+            if rolls and end == first + 1:
+                arm_a = tangent_arm_a[first]
+                arm_b = tangent_arm_b[first]
+                slip = sliding + spin_b * arm_b - spin_a * arm_a
+                rolled = resist_rolling_gripped(t, pair, spin_b - spin_a, slip)
+                spin_a -= turn_a * rolled
+                spin_b += turn_b * rolled
             slips = grip > friction and pairs.slid[pair] != 0.0
             if slips:
                 grip = friction
@@ -173,10 +183,13 @@ def sweep(t: Tables, resting: int, calm: float, backwards: bool) -> int:
                 pairs.slid[pair] = 0.0  # it came to a stop, and would turn back
                 if found == QUIET:
                     found = STIRRED
-        if pairs.rolling_resistance[pair] > 0.0 and turn_a + turn_b > 0.0:
-            change = resist_rolling(t, pair, spin_b - spin_a, turn_a + turn_b)
+        if rolls:
+            change = resist_rolling(t, pair, spin_b - spin_a, turns)
             spin_a -= turn_a * change
             spin_b += turn_b * change
+            rolled = (rolled + change) * turns
+            if found == QUIET and (rolled > LESS_CALM * calm or -rolled > LESS_CALM * calm):
+                found = STIRRED
         x = push * nx - rub * ny
         y = push * ny + rub * nx
         kick_x[a] -= mass_a * x

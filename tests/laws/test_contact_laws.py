@@ -201,6 +201,36 @@ def test_rolling_resistance_holds_a_disc_on_a_slope(factor: float, holds: bool) 
     assert (disc.speed < 1e-6) is holds
 
 
+@pytest.mark.parametrize("shape", [0.25, 0.5, 1.0])
+@pytest.mark.parametrize("radius", [0.01, 0.5, 8.0])
+@pytest.mark.parametrize(
+    ("theta", "friction", "factor"),
+    [(0.0525, 1.1, 0.05), (0.3, 0.5, 0.1), (0.6, 0.2, 0.1), (0.7, 0.16, 0.19), (1.0, 2.0, 0.3)],
+)
+def test_a_disc_rolls_or_slides_off_down_a_slope_in_its_first_tick(
+    shape: float, radius: float, theta: float, friction: float, factor: float
+) -> None:
+    """I = k m R^2, b = c R: it rolls with a = g (sin - c cos)/(1 + k) if that takes no more than
+    mu g cos of friction; else it slides with g (sin - mu cos), and turns with (mu - c) g cos/(k R),
+    if at all. Friction and rolling resistance depend on each other: solved in turn, they take many
+    sweeps.
+    """
+    world = incline(theta, friction=friction)
+    disc = world.add(
+        Circle(radius), inertia=shape * radius**2, position=(0, radius), friction=friction,
+        rolling_resistance=factor * radius,
+    )  # fmt: skip
+    drive, load = G * math.sin(theta), G * math.cos(theta)
+    a = (drive - factor * load) / (1 + shape)
+    turns = a
+    if drive - a > friction * load:
+        a = drive - friction * load
+        turns = (friction - factor) * load / shape if friction > factor else 0.0
+    world.step()
+    assert disc.vx * 60 == pytest.approx(a, rel=5e-4)
+    assert disc.spin * radius * 60 == pytest.approx(-turns, rel=5e-4, abs=1e-9)
+
+
 def test_rubbing_keeps_momentum_and_angular_momentum() -> None:
     """Two free bodies pressed together by forces; what one loses by friction the other gets."""
     world = World()
