@@ -14,17 +14,58 @@ from engine.kernels.impulses import (
     approach,
     change_of,
     give,
-    report,
+    note_given,
     response,
     slip,
     split,
+    write_impact,
 )
 from engine.kernels.rubbing import belt_speed
 from engine.tables import Tables
 
+BLOWS = 64
+"""So often at most is stopped at one instant what friction drives together again."""
+
 
 def exchange(t: Tables, pair: int, one: int, other: int, bounce: float, time: float) -> None:
-    """Give both bodies their impulses, along the normal, then against the sliding; report them."""
+    """Give both bodies their impulses, along the normal, then against the sliding; report them.
+
+    Friction may drive together again what does not bounce: that is stopped as often as it happens,
+    all as one impact. What bounces meets anew.
+
+    Args:
+        t: the tables.
+        pair: which pair.
+        one: the point of `Touch` that approaches fastest.
+        other: the other that takes part, or -1.
+        bounce: 1 and the restitution.
+        time: since the tick began (s).
+    """
+    still = stillness(t, pair)
+    came = approach(t, pair, one)
+    total = along = x = y = 0.0
+    for _ in range(BLOWS):
+        push, rub, at_x, at_y, speed = blow(t, pair, one, other, bounce)
+        if total == 0.0:
+            came = speed
+        total += push
+        along += rub
+        x += push * at_x
+        y += push * at_y
+        if other >= 0 and approach(t, pair, other) > approach(t, pair, one):
+            one, other = other, one
+        if bounce > 1.0 or approach(t, pair, one) <= still:
+            break
+    write_impact(t, pair, x / total, y / total, total, along, came, time)
+
+
+def blow(
+    t: Tables, pair: int, one: int, other: int, bounce: float
+) -> tuple[float, float, float, float, float]:
+    """Give both bodies an impulse along the normal, then one against the sliding.
+
+    Returns both (N s), where they act (m), and the speed of approach there (m/s).
+    """
     x = t.touch.x[one]
     y = t.touch.y[one]
     speed = approach(t, pair, one)
@@ -41,7 +82,8 @@ def exchange(t: Tables, pair: int, one: int, other: int, bounce: float, time: fl
     before = slip(t, pair, x, y) + belt_speed(t, pair, normal_x, normal_y)
     press(t, pair, x, y, total, speed)
     along = rub(t, pair, x, y, total, before)
-    report(t, pair, x, y, total, along, speed, time)
+    note_given(t, pair, x, y, total, along)
+    return total, along, x, y, speed
 
 
 def press(t: Tables, pair: int, x: float, y: float, total: float, speed: float) -> None:

@@ -23,7 +23,7 @@ from engine.kernels.parting import is_parting
 from engine.kernels.pose import place_pair
 from engine.kernels.rousing import rouse
 from engine.kernels.rubbing import note_sliding
-from engine.kernels.searching import fastest_within, lowest_gap
+from engine.kernels.searching import fastest_within, inner_of_both, lowest_gap
 from engine.kernels.simultaneous import strike_gathered
 from engine.kernels.sleeping import wake
 from engine.kernels.spring import DAMPING, PUSH, RESTLESS, frequency, softness, softness_left
@@ -43,6 +43,10 @@ parts nor closes by a reach a second, rests: no bounce takes it out."""
 JAMMED = 0.1
 """Share of its softness that a contact of joined bodies keeps under any load: where joints do not
 let it open, it would grow stiffer with its load, and its load with its stiffness, without end."""
+
+PLUNGES = 0.1
+"""Share of the radius of circles within two bodies by which their centres may move to each other in
+a part, where they turn on a contact."""
 
 STALLS = 20
 """Parts without duration after which pairs are held: joints may take back at once what lets go."""
@@ -352,9 +356,23 @@ def prepare(
             contacts.hardness[row] = 0.0
     if turning(t, pair, part) > TUMBLING:
         return PARTED
+    way = abs(opening) * part  # the normal may be that of the far side, if they were seen so deep
+    if abs(opening) > size and not joined and plunges(t, pair, way, part, explained):
+        return PARTED
     if lowest > KEEPING * size or (lowest > -OVERLAP * size and fastest < -explained):
         return PARTED
     return does
+
+
+def plunges(t: Tables, pair: int, way: float, part: float, explained: float) -> bool:
+    """Whether a pair whose centres move to each other by a `way` (m) in a part (s) sinks in as it
+    turns on a contact that nothing holds down: what forces and loads have `explained` (m/s) is less
+    than w^2 r does. Its other corners are to be met at their own instants.
+    """
+    turn = turning(t, pair, part)
+    return way > PLUNGES * inner_of_both(t, pair) and (
+        turn * turn * t.pairs.size[pair] > explained * part
+    )
 
 
 def set_spring(

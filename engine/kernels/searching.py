@@ -104,7 +104,7 @@ def search(t: Tables, pair: int, start: float, end: float, bound: float) -> None
         if speed > still:
             meet(t, pair, start, speed)
             return
-        time = start + flight(t, pair, -speed, piece)
+        time = start + flight(t, pair, -speed, piece, still)
         if time > end:
             time = end
         gap = gap_at(t, pair, time)
@@ -240,16 +240,17 @@ def landing(t: Tables, pair: int, start: float, end: float, gap: float, level: f
     return after
 
 
-def flight(t: Tables, pair: int, speed: float, piece: float) -> float:
+def flight(t: Tables, pair: int, speed: float, piece: float, still: float) -> float:
     """Time (s) that two bodies, separating at `speed` (m/s), surely fly apart: to the apex if
-    something drives them back together, else a `piece`; the normal is that in `Touch`.
+    something drives them back together, else a `piece`, as where they separate no faster than what
+    is `still`; the normal is that in `Touch`.
     """
     a = t.pairs.a[pair]
     b = t.pairs.b[pair]
     fall = (t.bodies.path_x[a] - t.bodies.path_x[b]) * t.touch.normal_x[0] + (
         t.bodies.path_y[a] - t.bodies.path_y[b]
     ) * t.touch.normal_y[0]
-    if fall * piece > speed > 0.0:
+    if fall * piece > speed > still:
         return speed / fall
     return piece
 

@@ -125,6 +125,30 @@ def star(world: World, arms: int, turned: float, e: float, mu: float, mass: floa
     return list(world.bodies)
 
 
+@pytest.mark.parametrize("e", [0.0, 0.5, 1.0])
+@pytest.mark.parametrize("slope", [0.3, math.pi / 4, 1.2])
+@pytest.mark.parametrize("friction", [0.1, 0.4, 2.0])
+def test_a_ball_in_a_groove_with_friction_is_braked_on_its_way_out(
+    friction: float, slope: float, e: float
+) -> None:
+    """Each side gives P = m (1 + e) v/(2 cos a), then mu P against the sliding, which that would
+    begin: 2 mu P sin a less of m e v, until nothing slides. It never turns.
+    """
+    world = World()
+    for side in (-1, 1):
+        end = (9 * side * math.cos(slope), 9 * math.sin(slope))
+        world.add(Wall((0, 0), end), friction=friction)
+    height = 0.5 / math.cos(slope)
+    ball = world.add(
+        Circle(0.5), position=(0, height + 0.04), velocity=(0, -4), restitution=e, friction=friction
+    )
+    world.run(2)
+    leaves = e - friction * (1 + e) * math.tan(slope)
+    assert ball.vy == pytest.approx(4 * max(leaves, 0.0), abs=1e-9)
+    assert ball.vx == pytest.approx(0.0, abs=1e-9)
+    assert ball.spin == pytest.approx(0.0, abs=1e-9)
+
+
 @settings(max_examples=60, deadline=None)
 @given(
     arms=st.integers(2, 5),
