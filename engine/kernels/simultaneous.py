@@ -28,7 +28,8 @@ PASSES = 1000
 """So often the points are passed over; where that is not enough, pairs are struck one by one."""
 
 RUBS = 32
-"""So often at most to find friction: in heaps the last digits take a hundred times as many."""
+"""So often at most to find friction at more than two points: in heaps the last digits take ever so
+many more."""
 
 ENOUGH = 1e-14
 """No speed changes by more in the last pass, as a share of the fastest approach."""
@@ -225,7 +226,7 @@ def rub_all(t: Tables, rows: int, enough: float) -> None:
     hits = t.hits
     for row in range(rows):
         ready_friction(t, row)
-    for _ in range(RUBS):
+    for _ in range(PASSES if rows == 2 else RUBS):
         most = 0.0
         for row in range(rows):
             along = hits.along[row] - sliding_at(t, row) / hits.yields[row]
