@@ -44,9 +44,8 @@ JAMMED = 0.1
 """Share of its softness that a contact of joined bodies keeps under any load: where joints do not
 let it open, it would grow stiffer with its load, and its load with its stiffness, without end."""
 
-PLUNGES = 0.1
-"""Share of the radius of circles within two bodies by which their centres may move to each other in
-a part, where they turn on a contact."""
+WHIRLING = 0.1
+"""What turns by more within a part (rad), on a corner that nothing holds down, does not rest."""
 
 STALLS = 20
 """Parts without duration after which pairs are held: joints may take back at once what lets go."""
@@ -366,13 +365,13 @@ def prepare(
 
 def plunges(t: Tables, pair: int, way: float, part: float, explained: float) -> bool:
     """Whether a pair whose centres move to each other by a `way` (m) in a part (s) sinks in as it
-    turns on a contact that nothing holds down: what forces and loads have `explained` (m/s) is less
+    turns on a corner that nothing holds down: what forces and loads have `explained` (m/s) is less
     than w^2 r does. Its other corners are to be met at their own instants.
     """
     turn = turning(t, pair, part)
-    return way > PLUNGES * inner_of_both(t, pair) and (
-        turn * turn * t.pairs.size[pair] > explained * part
-    )
+    if turn * turn * t.pairs.size[pair] <= explained * part:
+        return False
+    return turn > WHIRLING or way > inner_of_both(t, pair)
 
 
 def set_spring(
