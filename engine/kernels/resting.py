@@ -187,7 +187,7 @@ def strike_slaps(t: Tables, queued: int, now: float, part: float, substep: float
         pair = next_to_meet(t, queued)
         queued = dequeue(t, 0, queued)
         t.pairs.meeting[pair] = NEVER
-        number, queued = gather(t, pair, 0.0, queued)
+        number, queued = gather(t, pair, now, 0.0, queued)
         strike_gathered(t, number, now, 0.0, substep, part, False)
         for k in range(number):
             struck = t.hits.gathered[k]

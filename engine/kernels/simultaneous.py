@@ -32,7 +32,10 @@ RUBS = 32
 many more."""
 
 ENOUGH = 1e-14
-"""No speed changes by more in the last pass, as a share of the fastest approach."""
+"""No speed changes by more in the last pass, as a share of the fastest approach; but"""
+
+NEARLY = 1e-6
+"""where passes come to their end, this will do: what still approaches is struck again at once."""
 
 
 def strike_gathered(
@@ -89,7 +92,7 @@ def strike_together(
         return True
     for row in range(rows):
         hits.between[row] = 1 if is_between(t, row, rows) else 0
-    if not press_all(t, rows, ENOUGH * fastest):
+    if not press_all(t, rows, fastest):
         come_back(t, number)
         return False
     come_back(t, number)
@@ -199,9 +202,12 @@ def on_ground(t: Tables, row: int) -> int:
     return a if is_ground(t, b) else -1
 
 
-def press_all(t: Tables, rows: int, enough: float) -> bool:
-    """Find the impulses along the normals; whether no speed (m/s) changed by more in the end."""
+def press_all(t: Tables, rows: int, fastest: float) -> bool:
+    """Find the impulses along the normals, where the fastest approach is `fastest` (m/s); whether
+    no speed changed in the end.
+    """
     hits = t.hits
+    most = 0.0
     for _ in range(PASSES):
         most = 0.0
         for row in range(rows):
@@ -216,9 +222,9 @@ def press_all(t: Tables, rows: int, enough: float) -> bool:
             push(t, row, change, 0.0)
             if abs(change) * hits.yields[row] > most:
                 most = abs(change) * hits.yields[row]
-        if most <= enough:
+        if most <= ENOUGH * fastest:
             return True
-    return False
+    return most <= NEARLY * fastest
 
 
 def rub_all(t: Tables, rows: int, enough: float) -> None:

@@ -288,7 +288,7 @@ def meet_in_order(
         number = 1
         t.hits.gathered[0] = pair
         if written[1] < limit:
-            number, queued = gather(t, pair, time, queued)
+            number, queued = gather(t, pair, now, time, queued)
         rests = meet(t, number, now, time, dt, substep, limit)
         for k in range(number):
             if pair_waits(t, t.hits.gathered[k]):

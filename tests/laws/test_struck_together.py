@@ -108,6 +108,24 @@ def test_a_ball_in_a_groove_comes_back_up(slope: float, e: float) -> None:
     assert ball.vx == pytest.approx(0.0, abs=1e-12)
 
 
+@pytest.mark.parametrize("speed", [1.0, 100.0])
+@pytest.mark.parametrize(
+    "masses", [(1, 0.033, 3), (1, 1, 1), (1, 1, 1, 1, 1), (2, 0.2, 2, 0.2, 1), (1, 0.1) * 3]
+)
+def test_cars_that_couple_go_on_as_one(masses: tuple[float, ...], speed: float) -> None:
+    """Plastic impacts one after another, each handed on to and fro between all cars that touch:
+    v = v0 m1/(m1 + m2 + ...), and nobody is thrown back.
+    """
+    world = World()
+    cars = [
+        world.add(Box(1, 0.5), mass=mass, position=(1.1 * i, 0)) for i, mass in enumerate(masses)
+    ]
+    cars[0].velocity = (speed, 0)
+    world.run(60 if speed > 50 else 240)
+    together = speed * masses[0] / sum(masses)
+    assert [car.vx for car in cars] == pytest.approx([together] * len(cars), rel=1e-9)
+
+
 def star(world: World, arms: int, turned: float, e: float, mu: float, mass: float) -> list[Body]:
     """Balls that fly towards one in the middle and meet it at the same instant."""
     world.add(Circle(0.3), mass=mass, spin=3.0, restitution=e, friction=mu)
