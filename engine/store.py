@@ -280,18 +280,22 @@ class Store:
 
     # Pairs that pass through each other.
 
-    def ignore(self, a: Body, b: Body, joint: int = 0) -> None:
-        """Let two bodies pass through each other, by hand or on behalf of a joint."""
+    def ignore(self, a: Body, b: Body, joint: int = 0) -> bool:
+        """Let two bodies pass through each other, by hand or on behalf of a joint; return whether
+        that is new.
+        """
         row, found = row_of_ignored(self.tables, a.id, b.id, joint)
         if not found:
             last = self.append("ignored", (min(a.id, b.id), max(a.id, b.id), joint))
             move_row(self.tables.ignored, last, row)
+        return not found
 
-    def heed(self, a: Body, b: Body, joint: int = 0) -> None:
-        """Take that back."""
+    def heed(self, a: Body, b: Body, joint: int = 0) -> bool:
+        """Take that back; return whether there was anything to be taken back."""
         row, found = row_of_ignored(self.tables, a.id, b.id, joint)
         if found:
             self.drop("ignored", row)
+        return found
 
     def ignores(self, a: Body, b: Body) -> bool:
         """Whether two bodies were told to pass through each other, by whomever."""

@@ -149,6 +149,8 @@ class World:
 
         bulk.set_state(self, state)
 
+    # Bodies.
+
     @noted
     def add(
         self,
@@ -249,17 +251,19 @@ class World:
 
     @noted
     def ignore(self, a: Body, b: Body) -> None:
-        """Let two bodies pass through each other, whatever their filters say, until `heed`."""
+        """Let two bodies pass through each other, whatever their filters say, until `heed`; twice
+        does nothing.
+        """
         self._two_bodies(a, b)
-        self.store.ignore(a, b)
-        self.displaced()
+        if self.store.ignore(a, b):
+            self.displaced()
 
     @noted
     def heed(self, a: Body, b: Body) -> None:
         """Take `ignore` back; twice does nothing."""
         self._two_bodies(a, b)
-        self.store.heed(a, b)
-        self.displaced()
+        if self.store.heed(a, b):
+            self.displaced()
 
     def ignores(self, a: Body, b: Body) -> bool:
         """Whether two bodies ignore each other, told by hand or joined."""
@@ -276,6 +280,8 @@ class World:
             self._own(body)
         if a is b:
             raise ValueError(f"it takes two bodies, not {a.name} twice")
+
+    # Joints and laws of force.
 
     @noted
     def join(
@@ -348,6 +354,8 @@ class World:
         """The laws of force that act, in the order in which they were added."""
         return tuple(self.store.acting.values())
 
+    # Questions.
+
     def query_point(
         self, point: Any, mask: int = ALL, leave_out: Iterable[Body] = ()
     ) -> list[Body]:
@@ -416,6 +424,8 @@ class World:
 
         return Choice(self.store, mask, leave_out)
 
+    # What is in it.
+
     def __iter__(self) -> Iterator[Body]:
         """The bodies, walls too, in the order of their ids."""
         return iter(list(self.store.handles))
@@ -472,6 +482,13 @@ class World:
         return self.store.time
 
     @property
+    def kernels(self) -> str:
+        """What it runs on at present: "interpreted" or "compiled"."""
+        return "compiled" if self._clockwork.compiled else "interpreted"
+
+    # The laws that hold.
+
+    @property
     def restitution_rule(self) -> Rule:
         """Makes the restitution of a pair from those of its bodies."""
         return self.rules.restitution
@@ -492,11 +509,6 @@ class World:
     def friction_rule(self, rule: Rule | None) -> None:
         self.rules = rules(self.rules.restitution, rule)
         self.displaced()
-
-    @property
-    def kernels(self) -> str:
-        """What it runs on at present: "interpreted" or "compiled"."""
-        return "compiled" if self._clockwork.compiled else "interpreted"
 
     @property
     def gravity(self) -> Vector:
@@ -555,6 +567,8 @@ class World:
         self.laws = laws(**(given(self.laws) | given_anew))
         self.store.wake_all()
 
+    # Totals and books.
+
     @property
     def momentum(self) -> Vector:
         """Of all bodies (kg m/s)."""
@@ -583,6 +597,8 @@ class World:
         """Read the books: momentum and energy, and what gave and took them since the beginning."""
         self.store.close_books()
         return ledger.ledger(self)
+
+    # To come back to, to keep, to compare.
 
     def snapshot(self) -> Snapshot:
         """Copy all that varies; `restore` brings it back bit for bit."""

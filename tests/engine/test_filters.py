@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine import Body, Circle, Polygon, Removed, Wall, World
+from engine import Body, Box, Circle, Polygon, Removed, Wall, World
 
 BALL, BOX, GHOST = 1, 2, 4
 
@@ -162,3 +162,16 @@ def test_ignoring_takes_two_bodies_of_the_world() -> None:
         world.ignore(a, 3)  # type: ignore[arg-type]
     with pytest.raises(Removed):
         world.heed(a, World().add(Circle(1)))
+
+
+def test_to_ignore_twice_wakes_nobody() -> None:
+    world = World(gravity=(0, -9.81), sleeping=True)
+    world.add(Wall((-5, 0), (5, 0)))
+    box, ghost = world.add(Box(1, 1), position=(0, 0.5)), world.add(Circle(0.5), position=(3, 0.5))
+    world.ignore(box, ghost)
+    world.run(120)
+    assert box.is_asleep
+    world.ignore(ghost, box)
+    assert box.is_asleep
+    world.heed(ghost, box)
+    assert not box.is_asleep
