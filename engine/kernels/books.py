@@ -107,8 +107,10 @@ def book_forces(t: Tables, count: int, laws: Laws, dt: float) -> None:
     x_sum = 0.0
     y_sum = 0.0
     turn = 0.0
+    sleeps = laws.sleep_time > 0.0
     for row in range(count):
-        if bodies.inverse_mass[row] > 0.0:
+        woke = sleeps and bodies.restless[row] == 1  # within this tick: no force acted on it
+        if bodies.inverse_mass[row] > 0.0 and not woke:
             weight = bodies.mass[row] * bodies.gravity_scale[row]
             fx = weight * laws.gravity_x
             fy = weight * laws.gravity_y

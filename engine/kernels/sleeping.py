@@ -160,7 +160,8 @@ def get_up(t: Tables, row: int) -> None:
 def wake_in_time(t: Tables, laws: Laws, dt: float) -> None:
     """Wake the islands that something may touch within a tick (s), before it moves.
 
-    Forces have acted on the others already; now they act on what woke.
+    Forces have acted on the others already; now they act on what woke. What wakes later in the
+    tick is restless: no force acts on it in this tick (`books.book_forces`).
     """
     bodies = t.bodies
     pairs = t.pairs
@@ -177,6 +178,7 @@ def wake_in_time(t: Tables, laws: Laws, dt: float) -> None:
                 wake(t, sleeper)
     for row in range(count):
         if bodies.restless[row] == 1:
+            bodies.restless[row] = 0
             act_on(bodies, row, t.fields, laws, dt)
 
 

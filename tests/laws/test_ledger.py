@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from engine import (
+    Box,
     Circle,
     Force,
     Ledger,
@@ -300,3 +301,29 @@ def test_bodies_that_fall_asleep_leave_the_books_closed() -> None:
     world.add(Circle(0.3), position=(0, 20), restitution=0.5)
     world.run(150)
     closes(world.ledger())
+
+
+def test_what_is_woken_within_a_tick_is_booked_no_force() -> None:
+    """A ball that nobody expected, as another had struck it in the same tick, hit what slept: no
+    force acted on that in this tick, but the books said that its weight had.
+    """
+    world = World(gravity=(0, -9.81), sleeping=True)
+    world.add(Wall((-50, 0), (50, 0)), friction=0.5)
+    box = world.add(Box(1, 1), mass=2.0, position=(0, 0.5), friction=0.5)
+    world.run(120)
+    assert box.is_asleep
+    free = {"gravity_scale": 0.0, "restitution": 1.0}
+    world.add(Circle(0.2), position=(-0.75, 0.5), **free)
+    world.add(Circle(0.2), position=(-1.3, 0.5), velocity=(30, 0), **free)
+    before = world.ledger()
+    world.step()
+    change = world.ledger().since(before)
+    assert not box.is_asleep
+    assert box.vx > 0.0
+    assert abs(change.momentum_error.x) + abs(change.momentum_error.y) < 1e-10
+    assert abs(change.angular_momentum_error) < 1e-10
+    assert abs(change.energy_error) < 1e-9
+    for _ in range(60):
+        before = world.ledger()
+        world.step()
+        assert abs(world.ledger().since(before).momentum_error.y) < 1e-10
