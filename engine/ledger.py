@@ -223,7 +223,8 @@ def _sum(values: Any) -> float:
 
 def book_hand(tables: Tables, before: Any) -> None:
     """Book what was done between ticks, since the totals were `before`."""
-    x, y, turn, work = (totals(tables) - before).tolist()
+    with np.errstate(invalid="ignore"):
+        x, y, turn, work = (totals(tables) - before).tolist()
     tables.books.hand_x[0] += x
     tables.books.hand_y[0] += y
     tables.books.hand_turn[0] += turn

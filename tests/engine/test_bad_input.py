@@ -406,5 +406,7 @@ def test_what_is_too_fast_for_all_squares_is_told_without_a_warning() -> None:
     a, b = world.add(Circle(1)), world.add(Circle(1), position=(1e200, 5))
     a.velocity, b.velocity = (1e200, 0), (-1e200, 0)
     assert world.kinetic_energy == world.ledger().kinetic == math.inf
+    b.y = 6
+    world.ledger()
     assert world.query_point((0, 0)) == [a]
     assert world.cast_ray((-5, 0), (5, 0)) is not None
