@@ -106,6 +106,7 @@ SOURCES = (
     "kernels.spring",
     "kernels.standing",
     "kernels.steady",
+    "kernels.struck",
     "kernels.sticking",
     "kernels.sweeps",
     "kernels.swinging",

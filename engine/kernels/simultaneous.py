@@ -8,7 +8,8 @@ Moreau, "Numerical aspects of the sweeping process", 1999, section 4). Friction 
 way, at most mu times the impulse along the normal, so no impact gains energy.
 """
 
-from engine.kernels.exchange import sticks
+from engine.kernels.circles import stillness
+from engine.kernels.exchange import BLOWS, sticks
 from engine.kernels.footprint import PARALLEL, points_struck
 from engine.kernels.gathering import is_ground
 from engine.kernels.impacts import (
@@ -18,8 +19,17 @@ from engine.kernels.impacts import (
     leave_struck,
     strike,
 )
-from engine.kernels.impulses import closing_speed, give, note_given, response, write_impact
-from engine.kernels.rubbing import belt_speed
+from engine.kernels.impulses import closing_speed, response
+from engine.kernels.struck import (
+    approach_at,
+    book_pressing,
+    book_rubbing,
+    come_back,
+    give_all,
+    push,
+    report_points,
+    sliding_at,
+)
 from engine.kernels.touches import OVERLAP
 from engine.linkage.tally import is_joined
 from engine.tables import RESTING, Tables
@@ -102,10 +112,52 @@ def strike_together(
     come_back(t, number)
     give_all(t, rows)
     book_rubbing(t, rows)
+    for row in range(rows):
+        hits.met[row] = hits.came[row]
+        hits.given[row] = hits.impulse[row]
+        hits.rubbed[row] = hits.along[row]
+    for _ in range(BLOWS):
+        if not closes_again(t, rows):
+            break
+        strike_on(t, rows, fastest)
     for k in range(number):
         if report_points(t, k, now + time):
             leave_struck(t, hits.gathered[k], hits.rests[k] == 1, now + time, shortest)
     return True
+
+
+def closes_again(t: Tables, rows: int) -> bool:
+    """Whether friction drives together again, at some point, what meets the ground at all of them,
+    and bounces at none: in heaps that would come to no end.
+    """
+    hits = t.hits
+    closes = False
+    for row in range(rows):
+        if hits.leaves[row] > 0.0 or on_ground(t, row) < 0:
+            return False
+        closes = closes or approach_at(t, row) > stillness(t, hits.pair[row])
+    return closes
+
+
+def strike_on(t: Tables, rows: int, fastest: float) -> None:
+    """Stop what friction drives together again, and let it rub once more."""
+    hits = t.hits
+    for row in range(rows):
+        pair = hits.pair[row]
+        nx = hits.normal_x[row]
+        ny = hits.normal_y[row]
+        hits.came[row] = approach_at(t, row)
+        hits.slid[row] = sliding_at(t, row)
+        hits.yields[row] = response(t, pair, hits.x[row], hits.y[row], nx, ny)
+        hits.impulse[row] = 0.0
+        hits.along[row] = 0.0
+    press_all(t, rows, fastest)
+    book_pressing(t, rows)
+    rub_all(t, rows, ENOUGH * fastest)
+    book_rubbing(t, rows)
+    for row in range(rows):
+        hits.given[row] += hits.impulse[row]
+        hits.rubbed[row] += hits.along[row]
 
 
 def list_points(
@@ -265,96 +317,3 @@ def ready_friction(t: Tables, row: int) -> None:
         t, pair, before, slid, yields, hits.impulse[row]
     ):
         hits.most[row] = abs(slid) / yields
-
-
-def approach_at(t: Tables, row: int) -> float:
-    """Speed of approach at a point (m/s)."""
-    hits = t.hits
-    return closing_speed(
-        t, hits.pair[row], hits.x[row], hits.y[row], hits.normal_x[row], hits.normal_y[row]
-    )
-
-
-def sliding_at(t: Tables, row: int) -> float:
-    """Speed of b past a at a point, along the normal turned left, belts included (m/s)."""
-    hits = t.hits
-    pair = hits.pair[row]
-    nx = hits.normal_x[row]
-    ny = hits.normal_y[row]
-    slides = closing_speed(t, pair, hits.x[row], hits.y[row], ny, -nx)
-    return slides + belt_speed(t, pair, nx, ny)
-
-
-def push(t: Tables, row: int, impulse: float, along: float) -> None:
-    """Give impulses along the normal and along the surface (N s) at a point."""
-    hits = t.hits
-    nx = hits.normal_x[row]
-    ny = hits.normal_y[row]
-    give(
-        t,
-        hits.pair[row],
-        hits.x[row],
-        hits.y[row],
-        impulse * nx - along * ny,
-        impulse * ny + along * nx,
-    )
-
-
-def give_all(t: Tables, rows: int) -> None:
-    """Give the impulses that were found."""
-    for row in range(rows):
-        push(t, row, t.hits.impulse[row], t.hits.along[row])
-
-
-def come_back(t: Tables, number: int) -> None:
-    """Give the bodies the velocities with which they came."""
-    bodies = t.bodies
-    for k in range(number):
-        for body in (t.pairs.a[t.hits.gathered[k]], t.pairs.b[t.hits.gathered[k]]):
-            bodies.vx[body] = bodies.came_x[body]
-            bodies.vy[body] = bodies.came_y[body]
-            bodies.spin[body] = bodies.came_spin[body]
-
-
-def book_pressing(t: Tables, rows: int) -> None:
-    """Book what impulses along the normals took of the energy."""
-    for row in range(rows):
-        speeds = t.hits.came[row] + approach_at(t, row)
-        t.books.restitution_heat[0] += t.hits.impulse[row] * speeds / 2.0
-
-
-def book_rubbing(t: Tables, rows: int) -> None:
-    """Book what friction took, and what belts gave."""
-    hits = t.hits
-    for row in range(rows):
-        along = hits.along[row]
-        belt = belt_speed(t, hits.pair[row], hits.normal_x[row], hits.normal_y[row])
-        t.books.friction_heat[0] -= along * (hits.slid[row] + sliding_at(t, row)) / 2.0
-        t.books.wall_work[0] -= along * belt
-
-
-def report_points(t: Tables, k: int, time: float) -> bool:
-    """Report what the pair in place `k` was given at a time of the tick (s), as one impact between
-    its points; return whether it was given anything.
-    """
-    hits = t.hits
-    if hits.rows[k] == 0:
-        return False
-    first = hits.first[k]
-    pair = hits.gathered[k]
-    t.touch.normal_x[0] = hits.normal_x[first]
-    t.touch.normal_y[0] = hits.normal_y[first]
-    total = along = x = y = speed = 0.0
-    for row in range(first, first + hits.rows[k]):
-        impulse = hits.impulse[row]
-        if impulse > 0.0:
-            note_given(t, pair, hits.x[row], hits.y[row], impulse, hits.along[row])
-            total += impulse
-            along += hits.along[row]
-            x += impulse * hits.x[row]
-            y += impulse * hits.y[row]
-            speed += impulse * hits.came[row]
-    if total <= 0.0:
-        return False
-    write_impact(t, pair, x / total, y / total, total, along, speed / total, time)
-    return True

@@ -198,6 +198,11 @@ class Hits(NamedTuple):
     """Of the impulse of friction (N s)."""
     along: Floats
     """Impulse of friction, on b, along the normal turned left (N s)."""
+    met: Floats
+    """Speed of approach before all of it (m/s); the others are those of one round."""
+    given: Floats
+    """Impulses of all rounds: along the normal, and of friction (N s)."""
+    rubbed: Floats
 
 
 class Impacts(NamedTuple):

@@ -108,6 +108,31 @@ def test_a_ball_in_a_groove_comes_back_up(slope: float, e: float) -> None:
     assert ball.vx == pytest.approx(0.0, abs=1e-12)
 
 
+@pytest.mark.parametrize("friction", [0.1, 0.3, 0.8])
+@pytest.mark.parametrize("steeper", [1.15, 1.5, 3.0])
+def test_a_ball_between_closing_jaws_slips_out_above_the_angle_of_friction(
+    friction: float, steeper: float
+) -> None:
+    """Jaws at half an angle a to each other that close at v drive it out, as nothing bounces, at
+    v/tan(a), whatever the friction, and straight, as the scene is its own mirror image. Friction
+    brakes the ball, which presses it on both jaws again: blow follows blow.
+    """
+    half = math.atan(friction * steeper)
+    out = 0.5 / math.sin(half)
+    along = out * math.cos(half)
+    world = World()
+    for side in (1, -1):
+        x, y = along * math.cos(half) - 0.5 * math.sin(half), 0.5 * math.cos(half)
+        world.add(
+            Box(2 * out, 1), kind="kinematic", position=(x, side * (along * math.sin(half) + y)),
+            angle=side * half, velocity=(0, -side * 0.2), friction=friction,
+        )  # fmt: skip
+    ball = world.add(Circle(0.5), position=(out, 0), friction=friction)
+    world.step()
+    assert ball.vx == pytest.approx(0.2 / math.tan(half), rel=1e-4)
+    assert abs(ball.vy) + abs(ball.spin) < 1e-4
+
+
 @pytest.mark.parametrize("speed", [1.0, 100.0])
 @pytest.mark.parametrize(
     "masses", [(1, 0.033, 3), (1, 1, 1), (1, 1, 1, 1, 1), (2, 0.2, 2, 0.2, 1), (1, 0.1) * 3]
