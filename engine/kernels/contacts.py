@@ -37,8 +37,17 @@ from engine.linkage.limb_groups import (
 from engine.linkage.limb_motion import bind_limbs
 from engine.linkage.limb_sweeps import sweep_all, turn_limbs_by_shift
 from engine.linkage.limb_velocities import ease_limbs
-from engine.linkage.positions import bind, brace, follow_joints, follow_late, keep_impulses
+from engine.linkage.modes import CLOSING, HOLDS
+from engine.linkage.positions import (
+    bind,
+    brace,
+    follow_joints,
+    follow_late,
+    hold_less,
+    keep_impulses,
+)
 from engine.linkage.tally import is_joined, joints_act, joints_jolt
+from engine.linkage.throwing import drive_each_other
 from engine.linkage.velocities import ease, keep_ends, prepare_ease
 from engine.tables import RESTING, Tables
 
@@ -126,7 +135,7 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
         few = PRESSING if most == MOST_SWEEPS else most
         sweep_groups(t, resting, most, few, CALM, CALM, early, True)
     else:
-        calm = press(t, resting, part, most, gives_up)
+        calm = press(t, resting, count, part, most, gives_up)
     if not calm and not joints_act(t) and only_forces_drive(t, count):
         sweep_on(t, resting, count, part, CALM, crowded)
     bind_limbs(t, part)
@@ -139,14 +148,33 @@ def kick(t: Tables, resting: int, count: int, part: float) -> None:
             note_part(bodies, row)
 
 
-def press(t: Tables, resting: int, part: float, most: int, gives_up: bool) -> bool:
+def press(t: Tables, resting: int, count: int, part: float, most: int, gives_up: bool) -> bool:
     """Sweep over contacts, `most` times at most, and let joints hold at the end of the part (s)
     each time; for the wild that are left as they are see `has_settled`. Returns whether contacts
     became calm.
 
+    Where contacts and joints drive each other, joints hold to first order only, and keep their gaps
+    in this part if that does not help.
+    """
+    calm, failed = press_and_bind(t, resting, part, most, gives_up)
+    if t.braces.sizes[0] == 0 or resting == 0 or not only_forces_drive(t, count):
+        return calm
+    while t.braces.sizes[7] != HOLDS and (failed > CLOSING or drive_each_other(t, count, part)):
+        hold_less(t)
+        calm, failed = press_and_bind(t, resting, part, most, gives_up)
+    return calm
+
+
+def press_and_bind(
+    t: Tables, resting: int, part: float, most: int, gives_up: bool
+) -> tuple[bool, float]:
+    """The same, whatever energy that takes; return also how fast joints failed it before the last
+    sweep (1/s).
+
     Where joints find no solution, contacts are swept again without: what held them was not there.
     """
     swept = 0
+    failed = 0.0
     while swept < most:
         swept += 1
         bound = t.braces.sizes[7] == 0
@@ -157,8 +185,8 @@ def press(t: Tables, resting: int, part: float, most: int, gives_up: bool) -> bo
         elif has_settled(found, gives_up and swept == WILD_SWEEPS) and (
             resting == 0 or failed <= CALM
         ):
-            return found == QUIET
-    return False
+            return found == QUIET, failed
+    return False, failed
 
 
 def is_crowd(t: Tables, resting: int, violent: bool) -> bool:

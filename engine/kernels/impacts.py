@@ -11,7 +11,7 @@ from engine.kernels.circles import stillness
 from engine.kernels.exchange import exchange
 from engine.kernels.footprint import points_struck
 from engine.kernels.impulses import approach
-from engine.kernels.joined_impacts import exchange_with_joints
+from engine.kernels.joined_impacts import amends_of_pair, approach_allowed, exchange_with_joints
 from engine.kernels.pose import advance
 from engine.kernels.sensing import sense_before
 from engine.kernels.sleeping import wake
@@ -52,10 +52,15 @@ def strike(
     one, other, speed = choose_points(t, pair, points, near)
     if one < 0:
         return t.pairs.state[pair] == RESTING
+    joined = is_joined(t, pair)
+    amiss = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    if joined:
+        amiss = amends_of_pair(t, pair, time)
+        speed = approach_allowed(t, pair, one, amiss)
     rests = comes_to_stay(t, pair, speed, now + time, shortest, plastic)
     bounce = 1.0 if rests else 1.0 + t.pairs.restitution[pair]
-    if is_joined(t, pair):
-        exchange_with_joints(t, pair, one, other, bounce, now, time)
+    if joined:
+        exchange_with_joints(t, pair, one, other, bounce, now, time, amiss)
         if rests and t.pairs.state[pair] != RESTING:  # where joints jam, nothing was given
             note_impact(t, pair, t.touch.x[one], t.touch.y[one], 0.0, 0.0)
     else:

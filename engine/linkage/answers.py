@@ -83,6 +83,35 @@ def answer_of_braces(t: Tables, a: int, b: int, change: Changes) -> Changes:
     )
 
 
+def amends(t: Tables, a: int, b: int, time: float) -> Changes:
+    """By how much velocities of a and b would change if they, and those of all that is joined to
+    them, obeyed the joints at `time` of the part (s), trees of hinges apart; everything has been
+    placed.
+
+    Joints see to it at the end of a part: within it, velocities are not quite such as they allow,
+    and far from it where contacts press on them. What is amiss is across all that joints allow, so
+    that no impulse changes it. Limits and motors go on as they are.
+    """
+    if not has_braces(t, a) and not has_braces(t, b):
+        return (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    for node in range(1, t.braces.sizes[1]):
+        read_in_flight(t, node, time)
+    find_rates(t, True)
+    solve(t)
+    take(t, 0.0, False, False)
+    nodes = t.nodes
+    node_a = node_of(t, a)
+    node_b = node_of(t, b)
+    return (
+        nodes.lent_x[node_a],
+        nodes.lent_y[node_a],
+        nodes.lent_spin[node_a],
+        nodes.lent_x[node_b],
+        nodes.lent_y[node_b],
+        nodes.lent_spin[node_b],
+    )
+
+
 def react(t: Tables, a: int, b: int, time: float, change: Changes) -> None:
     """Let the joints answer, at `time` of the part (s), to what changed the velocities of a and b.
 
@@ -143,13 +172,32 @@ def place_in_flight(t: Tables, time: float) -> None:
         place_node(t, node, x, y, angle)
 
 
+def read_in_flight(t: Tables, node: int, time: float) -> None:
+    """Read the velocity that a node's body has at `time` of the part (s)."""
+    nodes = t.nodes
+    bodies = t.bodies
+    row = nodes.body[node]
+    still(t, node)
+    passed = time - bodies.clock[row] if bodies.inverse_mass[row] > 0.0 else 0.0
+    nodes.vx[node] = bodies.vx[row] + bodies.path_x[row] * passed
+    nodes.vy[node] = bodies.vy[row] + bodies.path_y[row] * passed
+    nodes.spin[node] = bodies.spin[row] + bodies.path_spin[row] * passed
+
+
 def note_change(t: Tables, row: int, vx: float, vy: float, spin: float) -> int:
     """Write the change of a body's velocity (m/s, rad/s) to its node; return that, 0 for none."""
     nodes = t.nodes
+    node = node_of(t, row)
+    if node > 0:
+        nodes.vx[node] = vx
+        nodes.vy[node] = vy
+        nodes.spin[node] = spin
+    return node
+
+
+def node_of(t: Tables, row: int) -> int:
+    """The node of a body; 0, which never moves, if it has none."""
     for node in range(1, t.braces.sizes[1]):
-        if nodes.body[node] == row:
-            nodes.vx[node] = vx
-            nodes.vy[node] = vy
-            nodes.spin[node] = spin
+        if t.nodes.body[node] == row:
             return node
     return 0

@@ -16,6 +16,18 @@ def lend(t: Tables, row: int, impulse: float) -> None:
         nodes.lent_spin[node] += arms.by_inertia[arm] * impulse
 
 
+def rate_of(t: Tables, arm: int) -> float:
+    """What one body adds to the velocity of a row (m/s or rad/s)."""
+    nodes = t.nodes
+    arms = t.arms
+    node = arms.node[arm]
+    return (
+        arms.x[arm] * (nodes.vx[node] + nodes.lent_x[node])
+        + arms.y[arm] * (nodes.vy[node] + nodes.lent_y[node])
+        + arms.turn[arm] * (nodes.spin[node] + nodes.lent_spin[node])
+    )
+
+
 def take(t: Tables, share: float, spent: bool, bounded: bool) -> bool:
     """Add the solution to the impulses; return whether a mode changed instead.
 

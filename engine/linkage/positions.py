@@ -14,7 +14,15 @@ from engine.linkage.impulses import add_up, lend, note_impulses
 from engine.linkage.jolts import jolt, jolt_start
 from engine.linkage.limb_guesses import keep_limb_impulses
 from engine.linkage.limb_motion import brace_limbs
-from engine.linkage.modes import bounds, coordinate_row, first_mode, note_start, scale_of
+from engine.linkage.modes import (
+    CLOSES,
+    HOLDS,
+    bounds,
+    coordinate_row,
+    first_mode,
+    note_start,
+    scale_of,
+)
 from engine.linkage.moments import book_braces
 from engine.linkage.seeking import STRIDE, find_impulses, renew, seek_straight
 from engine.tables import Tables
@@ -102,6 +110,15 @@ def bind(t: Tables, part: float) -> float:
     book_braces(t, 0.0, False)
     deliver(t)
     return failed
+
+
+def hold_less(t: Tables) -> None:
+    """Let joints only close gaps for the rest of a part or, if they do already, keep them."""
+    if t.braces.sizes[7] == 0:
+        tell_once(t)
+        t.braces.sizes[7] = CLOSES
+    else:
+        t.braces.sizes[7] = HOLDS
 
 
 def retract(t: Tables) -> None:

@@ -5,7 +5,7 @@ pulled straight, or one that would throw the bodies (`throwing`), joints hold to
 """
 
 from engine.linkage.geometry import measure, place_nodes
-from engine.linkage.impulses import lend, solve_for, take
+from engine.linkage.impulses import lend, rate_of, solve_for, take
 from engine.linkage.modes import (
     CLOSES,
     FARTHEST,
@@ -21,7 +21,6 @@ from engine.linkage.skyline import assemble, factorise, solve
 from engine.linkage.springs import miss, tune
 from engine.linkage.stalling import stall
 from engine.linkage.throwing import throws
-from engine.linkage.velocities import rate_of
 from engine.tables import Tables
 from engine.tables.linkage import ELASTIC
 

@@ -8,6 +8,8 @@ that are all but straight, or a light link between heavy ones, can be thrown to 
 back, within a part. What is thrown has its energy from nowhere.
 """
 
+from engine.kernels.spring import PUSH
+from engine.linkage.impulses import rate_of
 from engine.linkage.modes import (
     CLOSING,
     SATISFIED,
@@ -47,8 +49,6 @@ def throws(t: Tables, part: float) -> bool:
                 mass += bodies.mass[row]
                 swing += bodies.mass[row] * bodies.reach[row] * bodies.reach[row]
     work = 0.0
-    closing = 0.0
-    turning = 0.0
     for brace in range(t.braces.sizes[0]):
         joint = t.braces.joint[brace]
         coordinate = coordinate_row(t, brace)
@@ -60,8 +60,23 @@ def throws(t: Tables, part: float) -> bool:
                 most += ROUNDING * impulse * impulse / t.equations.mass[row]
             if row == coordinate and drives(t, joint, row):
                 most += LIVELIER * abs(done)
+            else:
+                work += done
+    closing, turning = rates_of_closing(t, part)
+    return work > most + mass * closing * closing + swing * turning * turning
+
+
+def rates_of_closing(t: Tables, part: float) -> tuple[float, float]:
+    """How fast gaps of joints, trees of hinges apart, close in a part (s) at most (m/s, rad/s)."""
+    closing = 0.0
+    turning = 0.0
+    for brace in range(t.braces.sizes[0]):
+        joint = t.braces.joint[brace]
+        coordinate = coordinate_row(t, brace)
+        first = t.braces.first[brace]
+        for row in range(first, first + t.braces.rows[brace]):
+            if row == coordinate and drives(t, joint, row):
                 continue
-            work += done
             scale = scale_of(t, row, joint)
             gap = t.joints.astray[joint] if row == coordinate else t.equations.start[row]
             rate = abs(gap) / part
@@ -70,7 +85,61 @@ def throws(t: Tables, part: float) -> bool:
                 turning = rate if rate > turning else turning
             else:
                 closing = rate if rate > closing else closing
-    return work > most + mass * closing * closing + swing * turning * turning
+    return closing, turning
+
+
+def drive_each_other(t: Tables, count: int, part: float) -> bool:
+    """Whether contacts and joints together throw what they hold in a part (s), beyond what closes
+    gaps and pushes overlaps apart, and what springs and motors do.
+
+    By itself neither gains energy; but what one of them stops, the other may have to undo.
+    """
+    bodies = t.bodies
+    nodes = t.nodes
+    closing, turning = rates_of_closing(t, part)
+    excess = 0.0
+    for row in range(count):
+        braced = bodies.joined[row] == 1 and bodies.bone[row] == 0
+        if not braced and bodies.held[row] > 0 and bodies.inverse_mass[row] > 0.0:
+            excess += excess_of(t, row, part, (0.0, 0.0, 0.0), 0.0)
+    told_twice = 1.0 if t.braces.sizes[7] == 0 else 0.0
+    for node in range(1, t.braces.sizes[1]):
+        row = nodes.body[node]
+        if bodies.inverse_mass[row] > 0.0:
+            sums = (nodes.sum_x[node], nodes.sum_y[node], nodes.sum_spin[node])
+            excess += excess_of(t, row, part, sums, told_twice)
+            reach = bodies.reach[row] * turning
+            excess -= bodies.mass[row] * (closing * closing + reach * reach)
+    for brace in range(t.braces.sizes[0]):
+        row = coordinate_row(t, brace)
+        if row >= 0 and drives(t, t.braces.joint[brace], row):
+            rate = rate_of(t, 2 * row) + rate_of(t, 2 * row + 1)
+            excess -= abs(2.0 * t.equations.impulse[row] * rate)
+    return excess > 0.0
+
+
+def excess_of(
+    t: Tables, row: int, part: float, sums: tuple[float, float, float], told_twice: float
+) -> float:
+    """By how much twice the energy of a body in the middle of a part (s) exceeds what it would have
+    there if it touched nothing and were joined to nothing (J), beyond what may be; `sums` is what
+    joints gave it at the start (m/s, rad/s).
+    """
+    bodies = t.bodies
+    half = part / 2.0
+    x = bodies.vx[row] - sums[0]
+    y = bodies.vy[row] - sums[1]
+    turn = bodies.spin[row] - sums[2]
+    mean_x = (bodies.vx[row] + bodies.kick_x[row] - told_twice * sums[0]) / 2.0
+    mean_y = (bodies.vy[row] + bodies.kick_y[row] - told_twice * sums[1]) / 2.0
+    mean_turn = (bodies.spin[row] + bodies.kick_spin[row] - told_twice * sums[2]) / 2.0
+    allowed = gain(turn * part) if bodies.joined[row] == 1 else 0.0
+    x += bodies.ax[row] * half
+    y += bodies.ay[row] * half
+    turn += bodies.aspin[row] * half
+    lent = PUSH * bodies.reach[row]
+    now = energy(t, row, mean_x, mean_y, mean_turn)
+    return now - energy(t, row, x, y, turn) * (1.0 + allowed) - bodies.mass[row] * lent * lent
 
 
 def drives(t: Tables, joint: int, row: int) -> bool:

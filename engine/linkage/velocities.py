@@ -1,7 +1,15 @@
 """Joints at the end of each part: the impulses for which velocities obey the constraints."""
 
 from engine.linkage.geometry import aim, measure, place_nodes
-from engine.linkage.impulses import add_up, bounds_left, lend, noted_impulse, solve_for, take
+from engine.linkage.impulses import (
+    add_up,
+    bounds_left,
+    lend,
+    noted_impulse,
+    rate_of,
+    solve_for,
+    take,
+)
 from engine.linkage.limb_velocities import keep_limb_ends, prepare_limbs
 from engine.linkage.modes import TIGHT, coordinate_row, is_driven_away, note_end, scale_of
 from engine.linkage.moments import book_braces
@@ -190,15 +198,3 @@ def find_rates(t: Tables, driving: bool) -> float:
             if rate > worst:
                 worst = rate
     return worst
-
-
-def rate_of(t: Tables, arm: int) -> float:
-    """What one body adds to the velocity of a row (m/s or rad/s)."""
-    nodes = t.nodes
-    arms = t.arms
-    node = arms.node[arm]
-    return (
-        arms.x[arm] * (nodes.vx[node] + nodes.lent_x[node])
-        + arms.y[arm] * (nodes.vy[node] + nodes.lent_y[node])
-        + arms.turn[arm] * (nodes.spin[node] + nodes.lent_spin[node])
-    )
