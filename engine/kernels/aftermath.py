@@ -140,12 +140,17 @@ def await_corners(t: Tables, resting: int, part: float, queued: int) -> int:
 def await_corner(t: Tables, pair: int, time: float, part: float) -> None:
     """Find when, after `time` of the part (s), the other corner of a resting pair that turns comes
     down, by Newton's method; where it does not get there, that is left to the next part.
+
+    As the faces of two bodies that move become parallel, their corners may change places; one that
+    the ground keeps out is seen to with the blow of the other (see `gathering`).
     """
     t.pairs.meeting[pair] = NEVER
     when = time
     speed = 0.0
     gap = 0.0
     corner = 0
+    still = stillness(t, pair)
+    moves = not is_ground(t, t.pairs.a[pair]) and not is_ground(t, t.pairs.b[pair])
     for look in range(LOOKS):
         place_pair(t, pair, when)
         if touching_points(t, pair) < 2:
@@ -153,7 +158,10 @@ def await_corner(t: Tables, pair: int, time: float, part: float) -> None:
         if look == 0 and approach_of(t, pair, 1, when) > approach_of(t, pair, 0, when):
             corner = 1
         speed = approach_of(t, pair, corner, when)
-        if speed <= stillness(t, pair):
+        if speed <= still and look > 0 and moves:
+            corner = 1 - corner
+            speed = approach_of(t, pair, corner, when)
+        if speed <= still:
             return
         gap = t.touch.gap[corner]
         when += gap / speed

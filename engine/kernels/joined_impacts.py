@@ -5,7 +5,6 @@ What a unit impulse changes, joints included, stands where the inverse masses of
 
 from engine.kernels.circles import stillness
 from engine.kernels.impulses import (
-    WEDGED,
     approach,
     change_of,
     closing_speed,
@@ -23,7 +22,11 @@ YIELDS = 0.05
 """Share of the speed of free bodies that joined ones change by at least, if they yield at all: the
 impulse that is lacking is found by division by it, and bodies that are jammed hardly move."""
 
-CROSSWISE = 0.8
+JAMMED = 0.01
+"""Share by which joints must let two points be stopped at once: to within a part, velocities are
+not quite such as joints allow, and what is amiss would be divided by it."""
+
+WEDGED = 0.8
 """Where joints turn a larger share of a push along the surface into one across it, friction of an
 impact would make bodies meet again at once, without end: none acts."""
 
@@ -104,7 +107,7 @@ def exchange_with_joints(
     yields = closing(t, pair, x, y, -ny, nx, by)
     along = 0.0
     wedged = closing(t, pair, x, y, nx, ny, by)
-    if yields > YIELDS * free and abs(wedged) < CROSSWISE * pressing:
+    if yields > YIELDS * free and abs(wedged) < WEDGED * pressing:
         along = -sliding / yields
     most = t.pairs.friction[pair] * total
     if along > most:
@@ -178,4 +181,4 @@ def share_with_joints(
         return 0.0, v1 / k11  # joints hold the other
     k12 = closing(t, pair, t.touch.x[one], t.touch.y[one], nx, ny, by)
     v2 = change_of(approach_allowed(t, pair, other, amiss), bounce)
-    return split(k11, k12, k22, v1, v2, WEDGED)
+    return split(k11, k12, k22, v1, v2, JAMMED)

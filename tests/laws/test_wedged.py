@@ -52,8 +52,8 @@ def depth(one: list[Vector], other: list[Vector]) -> float:
 
 @pytest.mark.parametrize("seed", range(24))
 def test_three_hulls_in_a_box_stay_out_of_each_other(seed: int) -> None:
-    """To 1.25 cm at worst, at up to 10 m/s and while they are squeezed: of 600 worlds, three are
-    more than 1 cm deep, and half no more than 0.01 mm. Energy falls, if anything.
+    """To 1 cm at worst, at up to 10 m/s and while they are squeezed: of 600 worlds, two are deeper
+    than that, and half no more than 0.01 mm. Energy falls, if anything.
     """
     world, bodies = shut_up(seed)
     energy = world.kinetic_energy + world.potential_energy
@@ -61,7 +61,7 @@ def test_three_hulls_in_a_box_stay_out_of_each_other(seed: int) -> None:
         world.step()
         hulls = [[Vector(*p) for p in body.outlines[0]] for body in bodies]
         for i, hull in enumerate(hulls):
-            assert max(max(abs(p.x), abs(p.y)) for p in hull) < HALF + 0.0125
+            assert max(max(abs(p.x), abs(p.y)) for p in hull) < HALF + 0.01
             for other in hulls[:i]:
-                assert depth(hull, other) < 0.0125
+                assert depth(hull, other) < 0.01
     assert world.kinetic_energy + world.potential_energy < energy + 1e-2

@@ -1,6 +1,7 @@
 """Runs the real command in a process of its own."""
 
 import os
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -42,14 +43,21 @@ def laws(*arguments, folder, interpreter=(), stdout=subprocess.PIPE, **environme
 
 
 def start(*arguments, folder):
-    """Start `laws` in a folder and do not wait for it."""
+    """Start `laws` in a folder and do not wait for it. It heeds a closed terminal, though these
+    tests may not, as under nohup.
+    """
     return subprocess.Popen(
         [*LAWS, *map(str, arguments)],
         cwd=folder,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         env=surroundings(),
+        preexec_fn=heed_hangups if hasattr(signal, "SIGHUP") else None,
     )
+
+
+def heed_hangups():
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
 
 def surroundings(**changes):
