@@ -12,9 +12,9 @@ from engine.kernels.meeting import find_meeting, notice_passing, swing_of
 from engine.kernels.pose import place_pair
 from engine.kernels.searching import approach_of, fastest_within
 from engine.kernels.touches import OVERLAP
-from engine.linkage.answers import changed, has_braces
+from engine.linkage.answers import changed
 from engine.linkage.limb_impacts import tree_at
-from engine.linkage.tally import is_joined
+from engine.linkage.tally import has_braces, is_joined
 from engine.manifolds.any_pair import touching_points
 from engine.tables import FREE, LATER, NEVER, RESTING, Tables
 

@@ -15,6 +15,7 @@ from engine.linkage.limb_impacts import (
 )
 from engine.linkage.moments import book_braces
 from engine.linkage.skyline import solve
+from engine.linkage.tally import has_braces
 from engine.linkage.velocities import MOST_CHANGES, begin_instant, find_rates, renew
 from engine.tables import Tables
 
@@ -35,11 +36,6 @@ def prepare_answers(t: Tables, a: int, b: int, time: float) -> None:
         place_in_flight(t, time)
         begin_instant(t)
         renew(t)
-
-
-def has_braces(t: Tables, row: int) -> bool:
-    """Whether joints hold a body that are no hinges of a tree."""
-    return t.bodies.joined[row] == 1 and t.bodies.bone[row] == 0
 
 
 def answer(t: Tables, a: int, b: int, change: Changes) -> Changes:

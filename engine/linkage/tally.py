@@ -66,3 +66,8 @@ def mean_force(t: Tables, joint: int, dt: float) -> None:
         joints.broken[joint] = BREAKING
         t.state.loose[0] = 1
         t.state.stale[0] = 1
+
+
+def has_braces(t: Tables, row: int) -> bool:
+    """Whether joints hold a body that are no hinges of a tree."""
+    return t.bodies.joined[row] == 1 and t.bodies.bone[row] == 0

@@ -18,6 +18,7 @@ from engine.linkage.modes import (
     is_angle,
     scale_of,
 )
+from engine.linkage.tally import has_braces
 from engine.tables import Tables
 from engine.tables.linkage import AT_HIGH, AT_LOW, FIXED
 
@@ -99,8 +100,7 @@ def drive_each_other(t: Tables, count: int, part: float) -> bool:
     closing, turning = rates_of_closing(t, part)
     excess = 0.0
     for row in range(count):
-        braced = bodies.joined[row] == 1 and bodies.bone[row] == 0
-        if not braced and bodies.held[row] > 0 and bodies.inverse_mass[row] > 0.0:
+        if not has_braces(t, row) and bodies.held[row] > 0 and bodies.inverse_mass[row] > 0.0:
             excess += excess_of(t, row, part, (0.0, 0.0, 0.0), 0.0)
     told_twice = 1.0 if t.braces.sizes[7] == 0 else 0.0
     for node in range(1, t.braces.sizes[1]):
