@@ -166,7 +166,8 @@ class Clockwork:
             store.order_joints()
         elif status == LOST:
             body = store.handles[progress.lost[0]]
-            raise Diverged(f"{body.name} left the range of numbers in tick {self._tick[0]}")
+            tick = self._tick[0] + 1  # the first is 1, as for `Divergence`
+            raise Diverged(f"{body.name} left the range of numbers in tick {tick}")
         if self._tables is not store.tables:
             self._bind(laws, rules)
 

@@ -150,7 +150,7 @@ def _made(columns: Sequence[Any], handles: Sequence["Body"], number: int) -> lis
 
 
 class Diverged(ArithmeticError):
-    """A body left the range of numbers; the sentence names the tick and the body."""
+    """A body left the range of numbers; the sentence names it and the tick, the first being 1."""
 
 
 class Removed(LookupError):

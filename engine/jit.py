@@ -195,6 +195,7 @@ def _outermost() -> tuple[Any, Path | None]:
 def _pointers() -> Any:
     if not available():
         raise ImportError("compiled kernels need numba: pip install 'laws-of-motion[fast]'")
+    importlib.import_module("engine.kernels.tick")  # what fails here is no fault of numba's
     try:
         return importlib.import_module("engine.pointers")
     except Exception as error:

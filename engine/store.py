@@ -214,7 +214,7 @@ class Store:
         id = validate.identity(id, "a joint")
         row = bisect_left(self.joints, id, key=lambda each: each.id)
         if row == len(self.joints) or self.joints[row].id != id:
-            raise Removed(f"there is no joint {id} in this world")
+            raise Removed(f"there is no joint {validate.shown(id)} in this world")
         return self.joints[row]
 
     def add_joint(self, joint: Joint, values: dict[str, float], collide: bool) -> None:

@@ -446,7 +446,7 @@ class World:
         """
         row = self.store.rows.get(validate.identity(id, "a body"))
         if row is None:
-            raise Removed(f"there is no body {id} in this world")
+            raise Removed(f"there is no body {shown(id)} in this world")
         return self.store.handles[row]
 
     @property
@@ -688,7 +688,7 @@ class World:
         """Let the push with this id exert another force (N) or torque (N m)."""
         row, pushes = self._row_of_push(push), self.tables.pushes
         if row is None:
-            raise ValueError(f"push {push} is over: what it exerts cannot change")
+            raise ValueError(f"push {shown(push)} is over: what it exerts cannot change")
         pushes.x[row], pushes.y[row], pushes.torque[row] = x, y, torque
         self.store.wake(pushes.row[row])
 
@@ -700,8 +700,8 @@ class World:
             self.store.drop("pushes", row)
 
     def _row_of_push(self, push: int) -> int | None:
-        ids = self.tables.pushes.id
-        return next((i for i in range(self.store.count("pushes")) if ids[i] == push), None)
+        id, ids = validate.identity(push, "a push"), self.tables.pushes.id
+        return next((i for i in range(self.store.count("pushes")) if ids[i] == id), None)
 
     @noted
     def displaced(self) -> None:

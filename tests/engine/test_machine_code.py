@@ -71,6 +71,16 @@ def test_a_broken_numba_is_named_and_does_not_stop_worlds(tmp_path: Path) -> Non
     assert "numba is installed but does not work (no libLLVM)" in done.stdout
 
 
+def test_a_kernel_that_cannot_be_imported_is_not_blamed_on_numba(tmp_path: Path) -> None:
+    pytest.importorskip("numba")
+    shutil.copytree(ROOT / "engine", tmp_path / "engine", ignore=shutil.ignore_patterns("*.nb*"))
+    spring = tmp_path / "engine" / "kernels" / "spring.py"
+    spring.write_text("from engine.kernels import nothing_of_that_name\n")
+    done = python("from engine import World\nWorld(kernels='compiled')", tmp_path)
+    assert "ImportError: cannot import name 'nothing_of_that_name'" in done.stderr
+    assert "numba" not in done.stderr.splitlines()[-1]
+
+
 def test_without_a_folder_to_write_it_is_not_kept(monkeypatch: pytest.MonkeyPatch) -> None:
     pointers = pytest.importorskip("engine.pointers")
 

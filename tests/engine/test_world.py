@@ -5,6 +5,7 @@ import subprocess
 import sys
 from typing import Any
 
+import numpy as np
 import pytest
 
 from engine import (
@@ -275,8 +276,28 @@ def test_a_world_that_diverges_names_tick_and_body() -> None:
     for _ in range(3):
         world.step()
     wild.exert(Force(1e200, 0))
-    with pytest.raises(Diverged, match="wild left the range of numbers in tick 3"):
+    with pytest.raises(Diverged, match="wild left the range of numbers in tick 4"):
         world.step()
+
+
+def test_the_first_tick_in_which_a_world_diverges_is_tick_one() -> None:
+    world = World()
+    world.add(Circle(1), name="wild").exert(Force(1e200, 0))
+    with pytest.raises(Diverged, match=r"in tick 1$"):
+        world.step()
+
+
+def test_what_names_no_push_is_refused_in_a_sentence() -> None:
+    world = World()
+    push = world.add(Circle(1)).exert(Force(1, 0))
+    for wrong in (np.array([1, 2]), [push.id], push, "1", None, True):
+        for ask in (world.stop, world.is_acting, lambda id: world.change_push(id, 1, 0, 0)):
+            with pytest.raises(TypeError, match="a push is named by a number, its id, not by"):
+                ask(wrong)
+    world.stop(push.id + 1)
+    assert push.active
+    world.stop(push.id)
+    assert not push.active
 
 
 def test_a_huge_force_does_not_pass_unnoticed() -> None:
