@@ -1,9 +1,12 @@
-"""Our engine against pymunk, Box2D 2.3 and Box2D v3: speed and quality of the same scenes.
+"""Our engine beside pymunk, Box2D 2.3 and Box2D v3: speed and quality of the same scenes.
 
-Usage: python tests/benchmarks/engine_peers.py [--long] [--interpreted] [--growth] [WORD...]
-Words pick scenes by name. All engines run in one process, a few ticks each in turn; what is printed
-is the median of the processor time of a tick (ms), API included, and beside it how wrong the scene
-is in the end. `speed` is the time of the fastest other engine over ours. Needs the extra `bench`.
+    python tests/benchmarks/engine_peers.py [--long] [--write] [--interpreted] [--growth] [WORD...]
+
+Words pick scenes by name, `--long` all of them. In each run all engines begin a scene anew, in one
+process, and go through each phase of it in turn. Shown is the processor time of a tick, API
+included (ms, the middle of all runs); `ratio` is that of the fastest other engine over ours, from
+the least of a run to the greatest, in bold if all are what is wanted; then how wrong each is at the
+end of the phase. `--write` puts the rows into docs/performance.md. Needs the extra `bench`.
 """
 
 import statistics
@@ -11,64 +14,69 @@ import sys
 import time
 from typing import Any
 
+import page
 from peers import PEERS, Ours
-from scenes import LONG, SHORT, Scene, bin_of, gas
+from scenes import LONG, SHORT, Phase, Scene, bin_of, gas
 
-ROUNDS = 12
-SHARE = 0.15
-"""Processor time of a round of one engine (s)."""
+RUNS = 5
 
+NAMES = (Ours.name, *PEERS)
 
-def measure(scene: Scene, engines: dict[str, Any]) -> dict[str, tuple[float, float]]:
-    """Milliseconds a tick and quality, for each engine."""
-    bodies = {name: scene.build(engine) for name, engine in engines.items()}
-    starts = {}
-    for name, engine in engines.items():
-        for _ in range(scene.warm):
-            engine.step()
-        starts[name] = [engine.state(body) for body in bodies[name]]
-    steps = max(5, min(600, int(SHARE / max(spent(engine, 3) for engine in engines.values()))))
-    times: dict[str, list[float]] = {name: [] for name in engines}
-    for _ in range(ROUNDS):
-        for name, engine in engines.items():
-            times[name].append(spent(engine, steps) * 1e3)
-    return {
-        name: (
-            statistics.median(times[name]),
-            scene.quality(starts[name], [engine.state(body) for body in bodies[name]]),
-        )
-        for name, engine in engines.items()
-    }
+HEADER = ("scene", "phase (ticks)", *NAMES, "ratio", "wanted", "wrong by", *NAMES)
+
+Found = dict[str, tuple[float, float]]
+"""Of each engine: how long a tick takes (ms), and how wrong it is."""
 
 
-def spent(engine: Any, steps: int) -> float:
-    """Processor time of a tick (s)."""
-    begin = time.process_time()
-    for _ in range(steps):
-        engine.step()
-    return (time.process_time() - begin) / steps
-
-
-def engines_for(scene: Scene, kernels: str) -> dict[str, Any]:
-    """All engines, empty, with the laws of a scene."""
+def run(scene: Scene, kernels: str) -> list[Found]:
+    """What each phase of a scene takes; all engines begin anew."""
     laws = (scene.gravity, scene.restitution, scene.friction)
-    others = {name: make(*laws) for name, make in PEERS.items()}
-    return {"ours": Ours(*laws, kernels=kernels)} | others
+    engines: dict[str, Any] = {Ours.name: Ours(*laws, kernels=kernels)}
+    engines |= {name: make(*laws) for name, make in PEERS.items()}
+    bodies = {name: scene.build(engine) for name, engine in engines.items()}
+    found: list[Found] = []
+    tick = 0
+    for phase in scene.phases:
+        found.append({})
+        for name, engine in engines.items():
+            seconds(engine, phase.begin - tick)
+            before = [engine.state(body) for body in bodies[name]]
+            ticks = phase.end - phase.begin
+            taken = seconds(engine, ticks) / ticks * 1e3
+            after = [engine.state(body) for body in bodies[name]]
+            found[-1][name] = taken, scene.quality(before, after)
+        tick = phase.end
+    return found
 
 
-def table(scenes: list[Scene], kernels: str) -> None:
-    """Print a row a scene, in Markdown."""
-    names = ["ours", *PEERS]
-    print(
-        "| scene (ms a tick) | " + " | ".join(names) + " | speed | quality | " + " | ".join(names)
+def seconds(engine: Any, ticks: int) -> float:
+    """Processor time of so many ticks (s)."""
+    begin = time.process_time()
+    for _ in range(ticks):
+        engine.step()
+    return time.process_time() - begin
+
+
+def row(scene: Scene, phase: Phase, runs: list[Found]) -> page.Row:
+    """A row of the table: a phase in all runs."""
+    middle = {name: statistics.median(found[name][0] for found in runs) for name in NAMES}
+    ratios = [min(found[name][0] for name in PEERS) / found[Ours.name][0] for found in runs]
+    low, high = f"{min(ratios):.2g}", f"{max(ratios):.2g}"
+    ratio = low if low == high else f"{low} to {high}"
+    return (
+        scene.name,
+        named(phase),
+        *(f"{middle[name]:.2g}" for name in NAMES),
+        f"**{ratio}**" if min(ratios) >= scene.wanted else ratio,
+        str(scene.wanted),
+        scene.unit,
+        *(f"{runs[-1][name][1]:.1g}" for name in NAMES),
     )
-    print("| --- " * (2 * len(names) + 3) + "|")
-    for scene in scenes:
-        found = measure(scene, engines_for(scene, kernels))
-        speed = min(found[name][0] for name in PEERS) / found["ours"][0]
-        times = " | ".join(f"{found[name][0]:.4f}" for name in names)
-        quality = " | ".join(f"{found[name][1]:.2g}" for name in names)
-        print(f"| {scene.name} | {times} | {speed:.2f} | {scene.unit} | {quality} |", flush=True)
+
+
+def named(phase: Phase) -> str:
+    """A phase, as the table calls it."""
+    return f"{phase.what} ({phase.begin} to {phase.end})"
 
 
 def growth(kernels: str) -> None:
@@ -79,8 +87,8 @@ def growth(kernels: str) -> None:
             scene = make(count)
             engine = Ours(scene.gravity, scene.restitution, scene.friction, kernels=kernels)
             scene.build(engine)
-            spent(engine, 10)
-            cost[count] = statistics.median(spent(engine, 5) for _ in range(7)) / count * 1e6
+            seconds(engine, 10)
+            cost[count] = statistics.median(seconds(engine, 5) for _ in range(7)) / count * 2e5
         print(
             f"{make.__name__}: {cost[1000]:.3f} and {cost[10_000]:.3f} microseconds a body and "
             f"tick for 1,000 and 10,000: {cost[10_000] / cost[1000]:.2f} times"
@@ -88,12 +96,21 @@ def growth(kernels: str) -> None:
 
 
 def main() -> None:
-    """Print the tables that were asked for."""
+    """Print what was asked for, row by row."""
     options = {word for word in sys.argv[1:] if word.startswith("--")}
     words = [word for word in sys.argv[1:] if not word.startswith("--")]
     kernels = "interpreted" if "--interpreted" in options else "compiled"
     scenes = [*SHORT, *LONG] if "--long" in options or words else list(SHORT)
-    table([scene for scene in scenes if all(word in scene.name for word in words)], kernels)
+    print(page.line(HEADER))
+    print(page.line(["---"] * len(HEADER)))
+    for scene in scenes:
+        if all(word in scene.name for word in words):
+            runs = [run(scene, kernels) for _ in range(RUNS)]
+            for phase, found in zip(scene.phases, zip(*runs, strict=True), strict=True):
+                measured = row(scene, phase, list(found))
+                print(page.line(measured), flush=True)
+                if "--write" in options:
+                    page.put(HEADER, [measured], names=2)
     if "--growth" in options:
         growth(kernels)
 

@@ -4,7 +4,7 @@ import itertools
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 GRAVITY = -9.81
 
@@ -12,6 +12,15 @@ Point = tuple[float, float]
 
 States = list[tuple[float, float, float, float, float, float]]
 """Of each body: x, y, angle, vx, vy, spin."""
+
+
+class Phase(NamedTuple):
+    """Ticks of a scene in which much the same happens."""
+
+    what: str
+    begin: int
+    """Ticks that are over when it begins."""
+    end: int
 
 
 @dataclass(frozen=True)
@@ -25,8 +34,10 @@ class Scene:
     friction: float
     build: Callable[[Any], list[Any]]
     """Puts bodies into an engine; returns those that move, all of density 1 kg/m^2."""
-    warm: int
-    """Ticks before the clock starts."""
+    phases: tuple[Phase, ...]
+    """In which the clock runs, in their order."""
+    wanted: float
+    """How many times as long the fastest other engine should take."""
     quality: Callable[[States, States], float]
     """How wrong the second state is, from the first: the smaller the better."""
     unit: str
@@ -61,7 +72,11 @@ def gas(count: int) -> Scene:
     def drift(before: States, after: States) -> float:
         return abs(kinetic(after, radius) / kinetic(before, radius) - 1.0)
 
-    return Scene(f"elastic gas, {count}", 0.0, 1.0, 0.0, build, 10, drift, "energy drift")
+    flying = Phase("flying", 10, 610 if count > 100 else 7210)
+    wanted = 1.4 if count > 12 else 1.0
+    return Scene(
+        f"elastic gas, {count}", 0.0, 1.0, 0.0, build, (flying,), wanted, drift, "energy drift"
+    )
 
 
 def kinetic(states: States, radius: float) -> float:
@@ -81,7 +96,8 @@ def pyramid(base: int) -> Scene:
             for i in range(base - row)
         ]
 
-    return Scene(f"pyramid, base {base}", GRAVITY, 0.0, 0.6, build, 60, moved, "creep (m)")
+    phases = (Phase("first ticks", 0, 60), Phase("standing", 60, 660))
+    return Scene(f"pyramid, base {base}", GRAVITY, 0.0, 0.6, build, phases, 1.4, moved, "creep (m)")
 
 
 def moved(before: States, after: States) -> float:
@@ -101,7 +117,8 @@ def pile() -> Scene:
             bodies.append(engine.box(x, y, 0.8, 0.6) if i % 2 else engine.circle(*disc))
         return bodies
 
-    return Scene("pile, 12", GRAVITY, 0.2, 0.5, build, 240, moved, "creep (m)")
+    lying = Phase("lying", 240, 7440)
+    return Scene("pile, 12", GRAVITY, 0.2, 0.5, build, (lying,), 1.0, moved, "creep (m)")
 
 
 def bin_of(count: int) -> Scene:
@@ -124,7 +141,19 @@ def bin_of(count: int) -> Scene:
         discs = [state for i, state in enumerate(after) if i * 7919 % 3 == 0]
         return deepest(discs, radius)
 
-    return Scene(f"bin, {count} mixed", GRAVITY, 0.1, 0.5, build, 0, overlap, "overlap (m)")
+    name, phases = f"bin, {count} mixed", SMALL_BIN if count < 1000 else LARGE_BIN
+    return Scene(name, GRAVITY, 0.1, 0.5, build, phases, 1.2, overlap, "overlap (m)")
+
+
+SMALL_BIN = (
+    Phase("falling", 20, 120), Phase("settling", 120, 300), Phase("coming to rest", 300, 600),
+    Phase("at rest", 600, 900),
+)  # fmt: skip
+
+LARGE_BIN = (
+    Phase("falling", 0, 40), Phase("first columns land", 40, 60), Phase("columns land", 60, 80),
+    Phase("columns land", 80, 100), Phase("settling", 100, 300), Phase("settled", 300, 330),
+)  # fmt: skip
 
 
 def deepest(discs: Sequence[tuple[float, ...]], radius: float) -> float:
@@ -170,7 +199,11 @@ def chains(count: int, links: int) -> Scene:
         return most
 
     name = f"{count} chains of {links} links"
-    return Scene(name, GRAVITY, 0.0, 0.5, build, 30, stretch, "gap in a joint (m)")
+    phases = (
+        Phase("falling", 1, 40), Phase("swinging", 40, 200), Phase("whipping", 200, 300),
+        Phase("tangled", 300, 640),
+    )  # fmt: skip
+    return Scene(name, GRAVITY, 0.0, 0.5, build, phases, 1.2, stretch, "gap in a joint (m)")
 
 
 LIMBS = (
@@ -217,7 +250,11 @@ def ragdolls(count: int) -> Scene:
         )
 
     name = f"{count} ragdolls of 10 joints"
-    return Scene(name, GRAVITY, 0.0, 0.5, build, 30, stretch, "gap in a joint (m)")
+    phases = (
+        Phase("in the air", 2, 18), Phase("landing", 22, 60), Phase("landing", 60, 130),
+        Phase("in heaps of limbs", 130, 400), Phase("most at rest", 400, 700),
+    )  # fmt: skip
+    return Scene(name, GRAVITY, 0.0, 0.5, build, phases, 1.2, stretch, "gap in a joint (m)")
 
 
 def seen(state: tuple[float, ...], at: Point) -> Point:

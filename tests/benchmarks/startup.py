@@ -36,6 +36,7 @@ else:
 COMMANDS = {
     "python": ("-c", "pass"),
     "import numpy": ("-c", "import numpy"),
+    "first tick": ("-c", "from engine import World\nWorld().step()"),
     "laws --help": ("-m", "app.cli", "--help"),
     "laws check": ("-m", "app.cli", "check", str(SCENARIO)),
 }

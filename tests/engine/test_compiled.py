@@ -39,7 +39,7 @@ from engine import (
 from engine.jit import compiled
 from engine.modes import INTERPRETED
 from engine.tables import ROWS
-from tests.benchmarks.engine_steps import SCENES, gas, pyramid
+from tests.benchmarks.worlds import SCENES, gas, pyramid
 
 pytest.importorskip("numba")
 
