@@ -41,6 +41,7 @@ SOURCES = (
     "kernels.books",
     "kernels.broadphase",
     "kernels.circles",
+    "kernels.complementarity",
     "kernels.contacts",
     "kernels.crowds",
     "kernels.elementary",

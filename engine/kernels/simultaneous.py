@@ -2,13 +2,14 @@
 
 Struck one after another, the first would decide what the second finds, and what is its own mirror
 image would not stay so. Newton's law of restitution holds for all points together: each leaves with
-e times the speed with which it came, none pulls, and what leaves faster is not pushed. The impulses
-that do so are found by passing over the points one by one, again and again (projected Gauss-Seidel;
-Moreau, "Numerical aspects of the sweeping process", 1999, section 4). Friction follows in the same
-way, at most mu times the impulse along the normal, so no impact gains energy.
+e times the speed with which it came, none pulls, and what leaves faster is not pushed (Moreau,
+"Numerical aspects of the sweeping process", 1999, section 4); `complementarity` finds the impulses
+that do so. Friction follows in the same way, at most mu times the impulse along the normal, so no
+impact gains energy.
 """
 
 from engine.kernels.circles import stillness
+from engine.kernels.complementarity import couple, solve_bounded
 from engine.kernels.exchange import BLOWS, sticks
 from engine.kernels.footprint import PARALLEL, points_struck
 from engine.kernels.gathering import is_ground
@@ -19,13 +20,11 @@ from engine.kernels.impacts import (
     leave_struck,
     strike,
 )
-from engine.kernels.impulses import closing_speed, response
+from engine.kernels.impulses import closing_speed
 from engine.kernels.struck import (
     approach_at,
     book_pressing,
     book_rubbing,
-    come_back,
-    give_all,
     push,
     report_points,
     sliding_at,
@@ -34,18 +33,23 @@ from engine.kernels.touches import OVERLAP
 from engine.linkage.tally import is_joined
 from engine.tables import RESTING, Tables
 
-PASSES = 1000
-"""So often the points are passed over; where that is not enough, pairs are struck one by one."""
+PASSES = 300
+"""So often the points are passed over."""
 
 RUBS = 32
-"""So often at most to find friction at more than two points: in heaps the last digits take ever so
-many more."""
+"""So often at most to find friction: what slides on sides that are all but parallel is found ever
+so slowly, and changes nothing."""
 
 ENOUGH = 1e-14
-"""No speed changes by more in the last pass, as a share of the fastest approach; but"""
+"""No speed changes by more in the last pass over all points, as a share of the fastest approach;
+but"""
 
 NEARLY = 1e-6
-"""where passes come to their end, this will do: what still approaches is struck again at once."""
+"""where passes come to their end, this will do: what still approaches is struck again at once. If
+not even that is found, pairs are struck one by one."""
+
+UNBOUNDED = 1e300
+"""More than any impulse (N s)."""
 
 
 def strike_gathered(
@@ -103,15 +107,8 @@ def strike_together(
     for row in range(rows):
         hits.between[row] = 1 if is_between(t, row, rows) else 0
     if not press_all(t, rows, fastest):
-        come_back(t, number)
         return False
-    come_back(t, number)
-    give_all(t, rows)
-    book_pressing(t, rows)
-    rub_all(t, rows, ENOUGH * fastest)
-    come_back(t, number)
-    give_all(t, rows)
-    book_rubbing(t, rows)
+    press_and_rub(t, rows, fastest)
     for row in range(rows):
         hits.met[row] = hits.came[row]
         hits.given[row] = hits.impulse[row]
@@ -124,6 +121,18 @@ def strike_together(
         if report_points(t, k, now + time):
             leave_struck(t, hits.gathered[k], hits.rests[k] == 1, now + time, shortest)
     return True
+
+
+def press_and_rub(t: Tables, rows: int, fastest: float) -> None:
+    """Give the impulses along the normals that were found, then those of friction."""
+    hits = t.hits
+    for row in range(rows):
+        push(t, row, hits.impulse[row], 0.0)
+    book_pressing(t, rows)
+    rub_all(t, rows, fastest)
+    for row in range(rows):
+        push(t, row, 0.0, hits.along[row])
+    book_rubbing(t, rows)
 
 
 def closes_again(t: Tables, rows: int) -> bool:
@@ -143,18 +152,10 @@ def strike_on(t: Tables, rows: int, fastest: float) -> None:
     """Stop what friction drives together again, and let it rub once more."""
     hits = t.hits
     for row in range(rows):
-        pair = hits.pair[row]
-        nx = hits.normal_x[row]
-        ny = hits.normal_y[row]
         hits.came[row] = approach_at(t, row)
         hits.slid[row] = sliding_at(t, row)
-        hits.yields[row] = response(t, pair, hits.x[row], hits.y[row], nx, ny)
-        hits.impulse[row] = 0.0
-        hits.along[row] = 0.0
     press_all(t, rows, fastest)
-    book_pressing(t, rows)
-    rub_all(t, rows, ENOUGH * fastest)
-    book_rubbing(t, rows)
+    press_and_rub(t, rows, fastest)
     for row in range(rows):
         hits.given[row] += hits.impulse[row]
         hits.rubbed[row] += hits.along[row]
@@ -216,10 +217,7 @@ def list_point(t: Tables, pair: int, point: int, restitution: float, row: int) -
     hits.normal_y[row] = ny
     hits.came[row] = speed
     hits.leaves[row] = restitution * speed if speed > 0.0 else 0.0
-    hits.yields[row] = response(t, pair, x, y, nx, ny)
     hits.slid[row] = sliding_at(t, row)
-    hits.impulse[row] = 0.0
-    hits.along[row] = 0.0
 
 
 def is_between(t: Tables, row: int, rows: int) -> bool:
@@ -256,64 +254,46 @@ def on_ground(t: Tables, row: int) -> int:
 
 def press_all(t: Tables, rows: int, fastest: float) -> bool:
     """Find the impulses along the normals, where the fastest approach is `fastest` (m/s); whether
-    no speed changed in the end.
+    there are such.
     """
     hits = t.hits
-    most = 0.0
-    for _ in range(PASSES):
-        most = 0.0
-        for row in range(rows):
-            if hits.between[row] == 1:
-                continue
-            lacks = approach_at(t, row) + hits.leaves[row]
-            impulse = hits.impulse[row] + lacks / hits.yields[row]
-            if impulse < 0.0:
-                impulse = 0.0
-            change = impulse - hits.impulse[row]
-            hits.impulse[row] = impulse
-            push(t, row, change, 0.0)
-            if abs(change) * hits.yields[row] > most:
-                most = abs(change) * hits.yields[row]
-        if most <= ENOUGH * fastest:
-            return True
-    return most <= NEARLY * fastest
-
-
-def rub_all(t: Tables, rows: int, enough: float) -> None:
-    """Find the impulses of friction, until no speed (m/s) changes by more."""
-    hits = t.hits
+    unknowns = t.unknowns
     for row in range(rows):
-        ready_friction(t, row)
-    for _ in range(PASSES if rows == 2 else RUBS):
-        most = 0.0
-        for row in range(rows):
-            along = hits.along[row] - sliding_at(t, row) / hits.yields[row]
-            if along > hits.most[row]:
-                along = hits.most[row]
-            elif along < -hits.most[row]:
-                along = -hits.most[row]
-            change = along - hits.along[row]
-            hits.along[row] = along
-            push(t, row, 0.0, change)
-            if abs(change) * hits.yields[row] > most:
-                most = abs(change) * hits.yields[row]
-        if most <= enough:
-            return
+        unknowns.value[row] = 0.0
+        unknowns.least[row] = 0.0
+        unknowns.most[row] = UNBOUNDED if hits.between[row] == 0 else 0.0
+        unknowns.wanted[row] = hits.came[row] + hits.leaves[row]
+    couple(t, rows, 0)
+    changes = solve_bounded(t, rows, ENOUGH * fastest, PASSES)
+    for row in range(rows):
+        hits.impulse[row] = unknowns.value[row]
+    return changes <= NEARLY * fastest
 
 
-def ready_friction(t: Tables, row: int) -> None:
-    """Note how a point slides once it is pressed, and how much friction it has."""
+def rub_all(t: Tables, rows: int, fastest: float) -> None:
+    """Find the impulses of friction of points that are pressed."""
+    couple(t, rows, 1)
+    for row in range(rows):
+        bound_friction(t, row, t.delassus.coupling[row * rows + row])
+    solve_bounded(t, rows, ENOUGH * fastest, RUBS)
+    for row in range(rows):
+        t.hits.along[row] = t.unknowns.value[row]
+
+
+def bound_friction(t: Tables, row: int, yields: float) -> None:
+    """Note how a point slides once it is pressed, how much friction it has, and what is sought; a
+    unit impulse changes the sliding by `yields` (1/kg).
+    """
     hits = t.hits
+    unknowns = t.unknowns
     pair = hits.pair[row]
-    nx = hits.normal_x[row]
-    ny = hits.normal_y[row]
-    yields = response(t, pair, hits.x[row], hits.y[row], -ny, nx)
     before = hits.slid[row]
     slid = sliding_at(t, row)
     hits.slid[row] = slid
-    hits.yields[row] = yields
-    hits.most[row] = t.pairs.friction[pair] * hits.impulse[row]
-    if abs(slid) > hits.most[row] * yields and sticks(
-        t, pair, before, slid, yields, hits.impulse[row]
-    ):
-        hits.most[row] = abs(slid) / yields
+    most = t.pairs.friction[pair] * hits.impulse[row]
+    if abs(slid) > most * yields and sticks(t, pair, before, slid, yields, hits.impulse[row]):
+        most = abs(slid) / yields
+    unknowns.value[row] = 0.0
+    unknowns.least[row] = -most
+    unknowns.most[row] = most
+    unknowns.wanted[row] = -slid

@@ -40,22 +40,6 @@ def push(t: Tables, row: int, impulse: float, along: float) -> None:
     )
 
 
-def give_all(t: Tables, rows: int) -> None:
-    """Give the impulses that were found."""
-    for row in range(rows):
-        push(t, row, t.hits.impulse[row], t.hits.along[row])
-
-
-def come_back(t: Tables, number: int) -> None:
-    """Give the bodies the velocities with which they came."""
-    bodies = t.bodies
-    for k in range(number):
-        for body in (t.pairs.a[t.hits.gathered[k]], t.pairs.b[t.hits.gathered[k]]):
-            bodies.vx[body] = bodies.came_x[body]
-            bodies.vy[body] = bodies.came_y[body]
-            bodies.spin[body] = bodies.came_spin[body]
-
-
 def book_pressing(t: Tables, rows: int) -> None:
     """Book what impulses along the normals took of the energy."""
     for row in range(rows):

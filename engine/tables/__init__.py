@@ -42,6 +42,7 @@ from engine.tables.pairs import (
     SENSING,
     SLEEPING,
     Contacts,
+    Delassus,
     Found,
     Grid,
     Hits,
@@ -51,6 +52,7 @@ from engine.tables.pairs import (
     Pairs,
     Parted,
     Touch,
+    Unknowns,
 )
 from engine.tables.world import ROWS, Books, Counts, Progress, State, Tables, Tracks, new_tables
 
@@ -76,6 +78,7 @@ __all__ = [
     "Corners",
     "Counts",
     "Couplings",
+    "Delassus",
     "Equations",
     "Fields",
     "Floats",
@@ -103,6 +106,7 @@ __all__ = [
     "Touch",
     "Tracks",
     "Trees",
+    "Unknowns",
     "allocate",
     "arrays",
     "clear_row",

@@ -188,14 +188,10 @@ class Hits(NamedTuple):
     """Speed of approach before (m/s)."""
     leaves: Floats
     """With which the bodies leave each other at least (m/s)."""
-    yields: Floats
-    """Change of that speed by a unit impulse (1/kg); along the surface once friction acts."""
     impulse: Floats
     """Along the normal (N s)."""
     slid: Floats
     """Speed of b past a, before; then without friction (m/s)."""
-    most: Floats
-    """Of the impulse of friction (N s)."""
     along: Floats
     """Impulse of friction, on b, along the normal turned left (N s)."""
     met: Floats
@@ -203,6 +199,41 @@ class Hits(NamedTuple):
     given: Floats
     """Impulses of all rounds: along the normal, and of friction (N s)."""
     rubbed: Floats
+
+
+class Unknowns(NamedTuple):
+    """One row an impulse that is sought, of a point in `Hits`; see `complementarity`."""
+
+    a: Ints
+    """Rows of `Bodies`."""
+    b: Ints
+    along_x: Floats
+    """Unit vector along which it acts on b."""
+    along_y: Floats
+    arm_a: Floats
+    """Its lever arms about the centres of the two (m)."""
+    arm_b: Floats
+    value: Floats
+    """(N s)"""
+    least: Floats
+    """Bounds of it (N s)."""
+    most: Floats
+    wanted: Floats
+    """By how much a speed is to change by all impulses (m/s)."""
+    lacks: Floats
+    """What of that they have not yet brought about (m/s)."""
+    free: Ints
+    """Rows that are at no bound (a list of its own, not by row)."""
+    change: Floats
+    """Of the impulses in that list (N s)."""
+
+
+class Delassus(NamedTuple):
+    """What unit impulses change (1/kg), row by row; as many columns as there are impulses."""
+
+    coupling: Floats
+    factor: Floats
+    """The same of those at no bound and what they lack, as far as it is eliminated."""
 
 
 class Impacts(NamedTuple):

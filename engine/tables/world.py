@@ -20,6 +20,7 @@ from engine.tables.pairs import (
     IMPACTS_AT_ONCE,
     MOST_HITS,
     Contacts,
+    Delassus,
     Found,
     Grid,
     Hits,
@@ -29,6 +30,7 @@ from engine.tables.pairs import (
     Pairs,
     Parted,
     Touch,
+    Unknowns,
 )
 
 
@@ -204,6 +206,8 @@ class Tables(NamedTuple):
     lanes: Lanes
     touch: Touch
     hits: Hits
+    unknowns: Unknowns
+    delassus: Delassus
     impacts: Impacts
     joints: Joints
     braces: Braces
@@ -242,6 +246,8 @@ ROWS = {
     "grid": 128,
     "touch": 4,
     "hits": MOST_HITS,
+    "unknowns": MOST_HITS,
+    "delassus": MOST_HITS * (MOST_HITS + 1),
     "impacts": IMPACTS_AT_ONCE,
     "joints": 4,
     "braces": 8,

@@ -102,7 +102,7 @@ def test_every_table_and_column_of_the_world_is_saved() -> None:
     assert list(saved) == list(TABLES)
     # Empty between steps, or made from others.
     passing = {"links", "lanes", "touch", "hits", "impacts", "counts", "fields"}
-    passing |= {"found", "grid", "progress", "tracks"}
+    passing |= {"unknowns", "delassus", "found", "grid", "progress", "tracks"}
     passing |= {"braces", "nodes", "equations", "arms", "couplings", "profile"}
     passing |= {"limbs", "bones", "trees"}
     assert set(saved) | passing == {*world.tables._fields}
