@@ -28,8 +28,8 @@ TRAIL = 24
 FINGER = 9.0
 """Radius of the disc under a dragging finger (dp)."""
 
-SIZES = ((14.0, 19.0), (12.0, 16.0), (10.0, 13.0))
-"""Size and leading of captions (dp), the preferred ones first."""
+SIZES = ((14.0, 19.0), (12.0, 16.0), (10.0, 13.0), (8.5, 11.0), (7.0, 9.0))
+"""Size and leading of captions (dp), the preferred ones first; the last two for long lists."""
 
 PADDING = 8.0
 """Between a caption's words and its edge (dp)."""
@@ -145,21 +145,7 @@ def draw_caption(surface: "Surface", caption: str, words: Words, lesson_id: str)
     area = layout(surface.size)
     room, lowest = area.words, area.words.bottom + (EDGE if area.portrait else 0.0)
     explanation = explanation_of(surface, room, words, lesson_id)
-    below_title = room.y + theme.TITLE.line_height
-    large, middle, small = STYLES
-    places = (
-        (explanation.y, large),
-        (explanation.y, middle),
-        (below_title, large),
-        (below_title, middle),
-        (room.y, middle),
-        (room.y, small),
-    )
-    width = room.width + 2 * EDGE - 2 * PADDING
-    for top, style in places:
-        needed = surface.measure(caption, style, width=width).height + 2 * PADDING
-        if top + needed <= lowest:
-            break
+    said, style, top, needed = _setting(surface, caption, room, lowest, explanation.y)
     bottom = min(max(top + needed, explanation.bottom + EDGE), lowest)
     box = Rect(room.x - EDGE, top, room.width + 2 * EDGE, bottom - top)
 
@@ -167,6 +153,31 @@ def draw_caption(surface: "Surface", caption: str, words: Words, lesson_id: str)
         surface.rect(box, theme.DIALOG, radius=theme.RADIUS, outline=theme.TEAL, outline_width=1)
         at = Point(box.x + PADDING, box.y + max(PADDING, (box.height - needed) / 2 + PADDING))
         with surface.clip(box):
-            surface.text(caption, at, style, theme.TEXT, width=width)
+            surface.text(said, at, style, theme.TEXT, width=_width(room))
 
     surface.still((caption, lesson_id, words.file), box, paint)
+
+
+def _setting(
+    surface: "Surface", caption: str, room: Rect, lowest: float, below_law: float
+) -> tuple[str, theme.Style, float, float]:
+    """How a caption is set to end above `lowest`: its words, style, top and height (dp).
+
+    Its lines are joined if they find no room even in small letters, rather than set in tiny ones.
+    """
+    below_title = room.y + theme.TITLE.line_height
+    large, middle, *small = STYLES
+    places = [(top, style) for top in (below_law, below_title) for style in (large, middle)]
+    places += [(room.y, style) for style in (middle, *small)]
+    settings = [(caption, *place) for place in places[:-1]]
+    settings += [(" ".join(caption.split()), *place) for place in places]
+    for said, top, style in settings:
+        needed = surface.measure(said, style, width=_width(room)).height + 2 * PADDING
+        if top + needed <= lowest:
+            break
+    return said, style, top, needed
+
+
+def _width(room: Rect) -> float:
+    """Of the words of a caption (dp)."""
+    return room.width + 2 * EDGE - 2 * PADDING

@@ -267,8 +267,9 @@ class Reactions:
         self.collision_count += len(self.collisions)
         now = self.world.time
         self.marks = impulses.remember(self.marks, self.collisions, now, self._said, self._place)
-        if self.marks:
-            self.last_hit = self.marks[-1].hit
+        told = [mark for mark in self.marks if mark.place] or self.marks
+        if told:  # what bounces on faintly does not contradict what is written beside its hit
+            self.last_hit = told[-1].hit
         if self.refusal and self.world.time - self.refusal[2] > NOTICE:
             self.refusal = None
 

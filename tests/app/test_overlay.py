@@ -48,6 +48,36 @@ def test_a_caption_stays_off_the_canvas_and_the_buttons(overlay, caption, size):
         assert not inside.any(), part
 
 
+@pytest.mark.parametrize("size", [(360, 640), (640, 360), (500, 500), (800, 360)])
+@pytest.mark.parametrize(
+    "caption",
+    [
+        "\n".join(f"Line {number} of a caption" for number in range(1, 11)),
+        "W" * 20 + ("\n" + "W" * 20) * 13,
+        "W " * 150,
+        "W" * 300,
+        "a\n" * 149 + "a",
+    ],
+    ids=["ten lines", "many wide lines", "wide letters", "one word", "a letter a line"],
+)
+def test_no_line_of_a_caption_is_cut_off(overlay, caption, size):
+    """Below the last line there is the same dark edge as above the first."""
+    overlay.caption = caption
+    letters = bright(overlay, size)
+    rows = np.flatnonzero(letters.any(axis=1))
+    box = np.flatnonzero(drawn(overlay, size=size).any(axis=1))
+    assert rows[0] - box[0] > 3
+    assert box[-1] - rows[-1] > 3
+
+
+def bright(overlay, size):
+    """Which pixels are those of letters, at scale 1."""
+    surface = Surface(*size)
+    overlay.draw(surface, Empty(), 0.0)
+    pixels = surface.pixels()
+    return np.minimum(pixels & 0xFF, pixels >> 16) > 150
+
+
 def test_captions_can_be_hidden(overlay):
     overlay.caption = "Look."
     overlay.shows_captions = False

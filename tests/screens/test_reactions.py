@@ -136,6 +136,17 @@ def test_heavier_and_lighter_balls_up_to_a_limit() -> None:
     assert [w.enabled for w in reactions.widgets() if w.id == "ball.lighter"] == [False]
 
 
+def test_what_bounces_on_faintly_is_not_the_last_hit_while_a_stronger_one_is_written_out() -> None:
+    reactions = lesson("reactions", {"particle.restitution": 0.1})
+    place(reactions, 2.0, 0.0)
+    reactions.update(Tilt(90.0, 0.0))
+    while reactions.probes()["collisions"] < 3:
+        wait(reactions, 1)
+    written = [mark.hit for mark in reactions.marks if mark.place]
+    assert written != [mark.hit for mark in reactions.marks]
+    assert reactions.last_hit is written[-1]
+
+
 def test_clear_takes_all_away_and_begins_anew() -> None:
     reactions, _ = head_on(0, ELASTIC)
     wait(reactions, 90)
