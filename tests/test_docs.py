@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+import engine
+
 ROOT = Path(__file__).parent.parent
 DOCS = ("docs/engine.md",)
 
@@ -16,6 +18,16 @@ def test_examples_print_what_the_page_says(name: str) -> None:
     found = doctest.testfile(str(ROOT / name), module_relative=False, encoding="utf-8")
     assert found.attempted > 20
     assert found.failed == 0
+
+
+def test_the_guide_names_all_that_is_public_and_tests_that_are_there() -> None:
+    guide = (ROOT / "docs" / "engine.md").read_text(encoding="utf-8")
+    words = set(re.findall(r"`(\w+)`", guide))
+    assert set(engine.__all__) - words == set()
+    there = {file.stem for file in (ROOT / "tests").rglob("test_*.py")}
+    named = set(re.findall(r"\btest_\w+(?=`|\.py)", guide))
+    assert len(named) > 20
+    assert named - there == set()
 
 
 def test_the_engine_of_the_readme_runs() -> None:
