@@ -41,15 +41,19 @@ def look_at_struck(
     """Find anew, after the impact at `time` (s) of the pairs that were gathered, when what they
     moved meets others; return the queue's length.
     """
+    seen = t.bodies.seen
     for k in range(number):
         a = t.pairs.a[t.hits.gathered[k]]
         b = t.pairs.b[t.hits.gathered[k]]
         if is_joined(t, t.hits.gathered[k]):
             queued = look_at_joined(t, a, b, time, part, queued, strict)
-        if is_deflected(t, a):
-            queued = look_again(t, a, swerve(t, a), time, part, queued, strict)
-        if is_deflected(t, b):
-            queued = look_again(t, b, swerve(t, b), time, part, queued, strict)
+        for body in (a, b):
+            if seen[body] == 0 and is_deflected(t, body):
+                queued = look_again(t, body, swerve(t, body), time, part, queued, strict)
+                seen[body] = 1
+    for k in range(number):
+        seen[t.pairs.a[t.hits.gathered[k]]] = 0
+        seen[t.pairs.b[t.hits.gathered[k]]] = 0
     return queued
 
 
@@ -71,14 +75,21 @@ def look_again(
     t: Tables, row: int, swerves: float, time: float, part: float, queued: int, strict: bool
 ) -> int:
     """Find anew when the pairs of a body meet, after an impact at `time` (s) that changed the
-    velocity of any point of it by what it `swerves` at most (m/s).
+    velocity of any point of it by what it `swerves` at most (m/s). Pairs that rest and were looked
+    at with the other body are as they were.
     """
+    pairs = t.pairs
+    seen = t.bodies.seen
     closer = swerves * (part - time)
     first = t.bodies.first_link[row]
     for link in range(first, first + t.bodies.links[row]):
         pair = t.links.pair[link]
-        if t.pairs.state[pair] != FREE or not stays_apart(t, pair, closer):
-            queued = look_at_pair(t, pair, time, part, queued, strict)
+        if pairs.state[pair] == FREE:
+            if stays_apart(t, pair, closer):
+                continue
+        elif seen[pairs.a[pair]] + seen[pairs.b[pair]] > 0:
+            continue
+        queued = look_at_pair(t, pair, time, part, queued, strict)
     return queued
 
 

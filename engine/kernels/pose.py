@@ -43,6 +43,7 @@ def place_piece(t: Tables, row: int, piece: int, time: float) -> None:
     angle = bodies.angle[row] + bodies.spin[row] * passed + bodies.path_spin[row] * half
     bodies.here_x[row] = x
     bodies.here_y[row] = y
+    bodies.stands[row] = 0
     first = t.pieces.first[piece]
     turn(t.corners, first, first + t.pieces.corners[piece], x, y, angle)
 
@@ -55,15 +56,28 @@ def place_once(t: Tables, row: int, piece: int, time: float) -> None:
 
 
 def put(bodies: Bodies, corners: Corners, row: int, x: float, y: float, angle: float) -> None:
-    """Put the corners of a body where they are if it stands at (x, y), turned by `angle`."""
-    bodies.here_x[row] = x
-    bodies.here_y[row] = y
+    """Put the corners of a body where they are if it stands at (x, y), turned by `angle`; there is
+    nothing to do if they are there.
+    """
     first = bodies.first[row]
     count = bodies.corners[row]
     if count == 1:  # a disc, about the centre
+        bodies.here_x[row] = x
+        bodies.here_y[row] = y
         corners.world_x[first] = x
         corners.world_y[first] = y
         return
+    if (
+        bodies.stands[row] == 1
+        and bodies.here_x[row] == x
+        and bodies.here_y[row] == y
+        and bodies.here_angle[row] == angle
+    ):
+        return
+    bodies.here_x[row] = x
+    bodies.here_y[row] = y
+    bodies.here_angle[row] = angle
+    bodies.stands[row] = 1
     turn(corners, first, first + count, x, y, angle)
 
 

@@ -36,7 +36,7 @@ from engine.tables import RESTING, Tables
 PASSES = 300
 """So often the points are passed over."""
 
-RUBS = 32
+RUBS = 12
 """So often at most to find friction: what slides on sides that are all but parallel is found ever
 so slowly, and changes nothing."""
 

@@ -197,6 +197,12 @@ class Bodies(NamedTuple):
     here_x: Floats
     """Position for which the body was last placed (m)."""
     here_y: Floats
+    here_angle: Floats
+    """Its angle there (rad), if all its corners"""
+    stands: Ints
+    """were put there: 1."""
+    seen: Ints
+    """1 once it was seen to after an impact; see `aftermath`."""
     low_x: Floats
     """Box in which a body that moves may move while the list of pairs holds (m)."""
     low_y: Floats
