@@ -59,6 +59,7 @@ SOURCES = (
     "kernels.islands",
     "linkage.acting",
     "linkage.answers",
+    "linkage.closing",
     "linkage.geometry",
     "linkage.impulses",
     "linkage.jolts",

@@ -78,7 +78,7 @@ def next_mode(t: Tables, joint: int, row: int, part: float, slack: float) -> int
     if mode != FREE_WAY and mode != DRIVEN and mode != STRAINED:
         return mode
     value = t.equations.value[row]
-    left = left_beyond(t, joint, row, part)
+    left = left_beyond(t, joint, row)
     if value > joints.high[joint] + (left if left > 0.0 else 0.0) + slack:
         return AT_HIGH
     if value < joints.low[joint] + (left if left < 0.0 else 0.0) - slack:
@@ -109,7 +109,7 @@ def miss_of_mode(t: Tables, joint: int, row: int, part: float) -> float:
     value = t.equations.value[row]
     if mode == DRIVEN:
         return miss_of_motor(t, joint, row, part)
-    left = left_beyond(t, joint, row, part)
+    left = left_beyond(t, joint, row)
     if t.braces.sizes[7] > 0:  # what comes to its limit stops at once
         start = t.equations.start[row]
         return value - start + beyond(t, joint, start) - left
@@ -132,12 +132,11 @@ def by_hand(t: Tables, joint: int, row: int) -> float:
     return beyond(t, joint, t.equations.start[row]) - t.joints.astray[joint]
 
 
-def left_beyond(t: Tables, joint: int, row: int, part: float) -> float:
-    """How far beyond its limits a coordinate may still be at the end of a part (s)."""
+def left_beyond(t: Tables, joint: int, row: int) -> float:
+    """How far beyond its limits a coordinate may still be at the end of a part."""
     if t.braces.sizes[7] == HOLDS:
         return beyond(t, joint, t.equations.start[row])
-    most = CLOSING * scale_of(t, row, joint) * part
-    return left_by_hand(t, joint, row) + left_over(t.joints.astray[joint], most)
+    return left_by_hand(t, joint, row) + left_over(t.joints.astray[joint], t.equations.closes[row])
 
 
 def left_by_hand(t: Tables, joint: int, row: int) -> float:
@@ -145,12 +144,10 @@ def left_by_hand(t: Tables, joint: int, row: int) -> float:
     return left_over(by_hand(t, joint, row), BY_HAND if is_angle(t, row) else FARTHEST)
 
 
-def left_gaping(t: Tables, row: int, joint: int, part: float) -> float:
-    """What is left at the end of a part (s) of a gap of what is no coordinate (m or rad)."""
+def left_gaping(t: Tables, row: int) -> float:
+    """What is left at the end of a part of a gap of what is no coordinate (m or rad)."""
     gap = t.equations.start[row]
-    if t.braces.sizes[7] == HOLDS:
-        return gap
-    return left_over(gap, CLOSING * scale_of(t, row, joint) * part)
+    return gap if t.braces.sizes[7] == HOLDS else left_over(gap, t.equations.closes[row])
 
 
 def left_over(gap: float, most: float) -> float:
@@ -183,6 +180,14 @@ def within(part: float, whole: float) -> float:
     if whole > 0.0:
         return 0.0 if part < 0.0 else part if part < whole else whole
     return 0.0 if part > 0.0 else part if part > whole else whole
+
+
+def drives(t: Tables, joint: int, row: int) -> bool:
+    """Whether a coordinate does work: as a spring or a motor, or as hands put it beyond a limit."""
+    mode = t.joints.mode[joint]
+    if mode != FIXED and mode != AT_HIGH and mode != AT_LOW:
+        return True
+    return abs(by_hand(t, joint, row)) > SATISFIED * scale_of(t, row, joint)
 
 
 def is_put_back(t: Tables, joint: int, row: int) -> bool:

@@ -9,6 +9,7 @@ of the part before.
 """
 
 from engine.kernels.moments import place_in_part
+from engine.linkage.closing import note_closings
 from engine.linkage.geometry import aim, measure, place_nodes
 from engine.linkage.impulses import add_up, lend, note_impulses
 from engine.linkage.jolts import jolt, jolt_start
@@ -50,6 +51,7 @@ def brace(t: Tables, part: float) -> None:
         renew(t, part)
     t.braces.sizes[5] = 0
     t.braces.sizes[7] = 0
+    note_closings(t, part)
     for row in range(t.braces.sizes[2]):
         lend(t, row, t.equations.impulse[row])
     if leads_astray(t, part):

@@ -258,7 +258,7 @@ def find_misses(t: Tables, part: float) -> float:
         for row in range(first, first + t.braces.rows[brace]):
             missed = equations.value[row]
             if row != coordinate:
-                missed -= left_gaping(t, row, joint, part)
+                missed -= left_gaping(t, row)
             elif t.joints.mode[joint] != ELASTIC:
                 missed = miss_of_mode(t, joint, row, part)
             elif equations.solved[row] == 1:

@@ -9,18 +9,11 @@ back, within a part. What is thrown has its energy from nowhere.
 """
 
 from engine.kernels.spring import PUSH
+from engine.linkage.closing import energy_of_all, rates_of_closing
 from engine.linkage.impulses import rate_of
-from engine.linkage.modes import (
-    CLOSING,
-    SATISFIED,
-    by_hand,
-    coordinate_row,
-    is_angle,
-    scale_of,
-)
+from engine.linkage.modes import coordinate_row, drives
 from engine.linkage.tally import has_braces
 from engine.tables import Tables
-from engine.tables.linkage import AT_HIGH, AT_LOW, FIXED
 
 LIVELIER = 0.02
 """Share of their kinetic energy that bodies gain at most, but for what turns, and gaps that close:
@@ -36,8 +29,6 @@ def throws(t: Tables, part: float) -> bool:
     nodes = t.nodes
     bodies = t.bodies
     most = 0.0
-    mass = 0.0
-    swing = 0.0
     note_driven(t)
     for node in range(1, t.braces.sizes[1]):
         row = nodes.body[node]
@@ -46,9 +37,6 @@ def throws(t: Tables, part: float) -> bool:
             y = nodes.vy[node] - nodes.sum_y[node] + nodes.driven_y[node]
             turn = nodes.spin[node] - nodes.sum_spin[node] + nodes.driven_spin[node]
             most += energy(t, row, x, y, turn) * gain(turn * part)
-            if bodies.inverse_mass[row] > 0.0:
-                mass += bodies.mass[row]
-                swing += bodies.mass[row] * bodies.reach[row] * bodies.reach[row]
     work = 0.0
     for brace in range(t.braces.sizes[0]):
         joint = t.braces.joint[brace]
@@ -64,29 +52,7 @@ def throws(t: Tables, part: float) -> bool:
             else:
                 work += done
     closing, turning = rates_of_closing(t, part)
-    return work > most + mass * closing * closing + swing * turning * turning
-
-
-def rates_of_closing(t: Tables, part: float) -> tuple[float, float]:
-    """How fast gaps of joints, trees of hinges apart, close in a part (s) at most (m/s, rad/s)."""
-    closing = 0.0
-    turning = 0.0
-    for brace in range(t.braces.sizes[0]):
-        joint = t.braces.joint[brace]
-        coordinate = coordinate_row(t, brace)
-        first = t.braces.first[brace]
-        for row in range(first, first + t.braces.rows[brace]):
-            if row == coordinate and drives(t, joint, row):
-                continue
-            scale = scale_of(t, row, joint)
-            gap = t.joints.astray[joint] if row == coordinate else t.equations.start[row]
-            rate = abs(gap) / part
-            rate = rate if rate < CLOSING * scale else CLOSING * scale
-            if is_angle(t, row):
-                turning = rate if rate > turning else turning
-            else:
-                closing = rate if rate > closing else closing
-    return closing, turning
+    return work > most + energy_of_all(t, closing, turning)
 
 
 def drive_each_other(t: Tables, count: int, part: float) -> bool:
@@ -98,7 +64,7 @@ def drive_each_other(t: Tables, count: int, part: float) -> bool:
     bodies = t.bodies
     nodes = t.nodes
     closing, turning = rates_of_closing(t, part)
-    excess = 0.0
+    excess = -energy_of_all(t, closing, turning)
     for row in range(count):
         if not has_braces(t, row) and bodies.held[row] > 0 and bodies.inverse_mass[row] > 0.0:
             excess += excess_of(t, row, part, (0.0, 0.0, 0.0), 0.0)
@@ -108,8 +74,6 @@ def drive_each_other(t: Tables, count: int, part: float) -> bool:
         if bodies.inverse_mass[row] > 0.0:
             sums = (nodes.sum_x[node], nodes.sum_y[node], nodes.sum_spin[node])
             excess += excess_of(t, row, part, sums, told_twice)
-            reach = bodies.reach[row] * turning
-            excess -= bodies.mass[row] * (closing * closing + reach * reach)
     for brace in range(t.braces.sizes[0]):
         row = coordinate_row(t, brace)
         if row >= 0 and drives(t, t.braces.joint[brace], row):
@@ -140,14 +104,6 @@ def excess_of(
     lent = PUSH * bodies.reach[row]
     now = energy(t, row, mean_x, mean_y, mean_turn)
     return now - energy(t, row, x, y, turn) * (1.0 + allowed) - bodies.mass[row] * lent * lent
-
-
-def drives(t: Tables, joint: int, row: int) -> bool:
-    """Whether a coordinate does work: as a spring or a motor, or as hands put it beyond a limit."""
-    mode = t.joints.mode[joint]
-    if mode != FIXED and mode != AT_HIGH and mode != AT_LOW:
-        return True
-    return abs(by_hand(t, joint, row)) > SATISFIED * scale_of(t, row, joint)
 
 
 def note_driven(t: Tables) -> None:

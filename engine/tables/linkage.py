@@ -163,6 +163,8 @@ class Equations(NamedTuple):
     """What is constrained, in the pose that was last measured (m or rad)."""
     start: Floats
     """The same at the start of the part."""
+    closes: Floats
+    """How far it may come back in the part, where it gapes (see `linkage.closing`)."""
     impulse: Floats
     """Summed over the part (N s or N m s)."""
     change: Floats

@@ -48,8 +48,9 @@ def test_a_heavy_body_on_a_bridge(masses: tuple[float, ...], load: float) -> Non
 def test_a_heavy_ball_falls_on_a_taut_bridge(
     links: int, restitution: float, where: float, speed: float
 ) -> None:
-    """A ball a thousand times as heavy as a link: gravity alone does work, so that energy never
-    grows. It grew by up to 63 times what lifts the ball by a metre.
+    """A ball a thousand times as heavy as a link: gravity alone does work. It stretches joints,
+    which close again, so that it is lifted where it came from, but no faster than they close: two
+    reaches of a link a second. Energy grew by up to 63 times what lifts the ball by a metre.
     """
     world = World(gravity=(0, -G), integrator="velocity-verlet")
     length = 0.5
@@ -69,10 +70,11 @@ def test_a_heavy_ball_falls_on_a_taut_bridge(
         restitution=restitution,
         friction=0.3,
     )
-    lowest = world.kinetic_energy + world.potential_energy
+    first = before_tick = world.kinetic_energy + world.potential_energy
     for _ in range(150):
         world.step()
         energy = world.kinetic_energy + world.potential_energy
-        assert energy < lowest + 0.01 * ball.mass * G
-        lowest = min(lowest, energy)
+        assert energy < before_tick + ball.mass * G * length / 60
+        assert energy <= first + 1e-6
+        before_tick = energy
     assert world.ledger().energy_error == pytest.approx(0.0, abs=1e-6)
