@@ -6,8 +6,6 @@ r^T A^-1 r / 2 (`skyline`); where that is more than if all bodies went as fast a
 gaps close more slowly.
 """
 
-import math
-
 from engine.linkage.modes import CLOSING, TIGHT, coordinate_row, drives, is_angle, scale_of
 from engine.linkage.skyline import solve
 from engine.tables import Tables
@@ -35,7 +33,7 @@ def note_closings(t: Tables, part: float) -> None:
     energy = energy_of_closing(t, part)
     most = GENTLE * energy_of_all(t, closing, turning)
     if energy > most:
-        share = most / energy
+        share = most / energy  # not its root: what rises a lot keeps some of that, as it turns
         for row in range(t.braces.sizes[2]):
             closes[row] *= share
 

@@ -95,8 +95,8 @@ def test_arcs_that_are_pulled_flat_close_without_violence(
     links: int, slack: float, share: float, gravity: float
 ) -> None:
     """A hand moves the pier of an arc outwards by a share of what the arc is too long: links that
-    are long enough close all gaps, and go little faster than gaps close (2 reaches a second). Nearly
-    flat arcs keep a millimetre; they kept up to 34 cm.
+    are long enough close all gaps, and go little faster than gaps close (2 reaches a second).
+    Nearly flat arcs keep a millimetre; they kept up to 34 cm.
     """
     world = World(gravity=(0, -gravity), integrator="velocity-verlet")
     built, span = build_bridge(world, links, 1.0, slack, 0.0)
