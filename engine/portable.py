@@ -147,6 +147,7 @@ DERIVED = (
     "bodies.here_angle",
     "bodies.stands",
     "bodies.seen",
+    "bodies.shoved",
     "bodies.block",
     "bodies.gained",
     "bodies.kicked",

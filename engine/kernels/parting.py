@@ -58,6 +58,7 @@ def move_apart(t: Tables, count: int, pair_count: int, dt: float) -> None:
         bodies.middle_y[row] = bodies.y[row]
         bodies.middle_angle[row] = bodies.angle[row]
         bodies.kick_x[row] = bodies.kick_y[row] = bodies.kick_spin[row] = 0.0
+        bodies.shoved[row] = 0
     listed = 0
     for pair in range(pair_count):
         if t.pairs.state[pair] == RESTING and not is_joined(t, pair):
@@ -99,7 +100,9 @@ def aim(t: Tables, pair: int, dt: float) -> None:
 
 
 def shove(t: Tables, listed: int) -> bool:
-    """Solve each pair once for ways instead of velocities; return whether one moved."""
+    """Solve each pair once for ways instead of velocities; return whether one moved. Most need
+    not open, and nothing has moved their bodies.
+    """
     bodies = t.bodies
     contacts = t.contacts
     moved = False
@@ -107,6 +110,10 @@ def shove(t: Tables, listed: int) -> bool:
         pair = t.pairs.queue[k]
         a = t.pairs.a[pair]
         b = t.pairs.b[pair]
+        if bodies.shoved[a] + bodies.shoved[b] == 0 and not opens(t, pair):
+            continue
+        bodies.shoved[a] = 1 if bodies.inverse_mass[a] > 0.0 else 0
+        bodies.shoved[b] = 1 if bodies.inverse_mass[b] > 0.0 else 0
         nx = t.pairs.normal_x[pair]
         ny = t.pairs.normal_y[pair]
         for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
@@ -130,6 +137,14 @@ def shove(t: Tables, listed: int) -> bool:
             if abs(change) > CALM * t.pairs.size[pair] * contacts.normal_mass[row]:
                 moved = True
     return moved
+
+
+def opens(t: Tables, pair: int) -> bool:
+    """Whether a point of a contact is to open."""
+    for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
+        if t.contacts.target[row] < 0.0:
+            return True
+    return False
 
 
 def shift(t: Tables, pair: int) -> None:

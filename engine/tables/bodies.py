@@ -201,6 +201,8 @@ class Bodies(NamedTuple):
     """Its angle there (rad), if all its corners"""
     stands: Ints
     """were put there: 1."""
+    shoved: Ints
+    """1 once its contacts may have moved it; see `parting`."""
     seen: Ints
     """1 once it was seen to after an impact; see `aftermath`."""
     low_x: Floats
