@@ -53,6 +53,7 @@ SOURCES = (
     "kernels.gaining",
     "kernels.gathering",
     "kernels.halting",
+    "kernels.handing",
     "kernels.impacts",
     "kernels.impulses",
     "kernels.joined_impacts",

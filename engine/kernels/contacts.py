@@ -11,16 +11,15 @@ from engine.kernels.books import book_relax, book_turn, note_part
 from engine.kernels.crowds import sweep_until_calm, warm_start_crowd
 from engine.kernels.following import (
     TUMBLING,
-    are_buried,
-    find_points,
     follow,
-    has_drifted,
+    has_swerved,
     share_of_b,
     turning,
     weigh_if_racing,
 )
 from engine.kernels.gaining import only_forces_drive, sweep_on
 from engine.kernels.halting import book_shift_by_ground
+from engine.kernels.handing import find_last_points
 from engine.kernels.impacts import settling_speed
 from engine.kernels.packing import load_points, pack, pack_again, unload
 from engine.kernels.sweeps import QUIET, WILD, warm_start
@@ -272,9 +271,9 @@ def follow_to_end(t: Tables, resting: int, part: float, packed: bool) -> int:
         row = t.pairs.lane[pair] if packed else -1
         if t.pairs.state[pair] == RESTING and turning(t, pair, part) <= TUMBLING:
             follow(t, pair, BARELY)
-            if are_buried(t, pair) and has_drifted(t, pair):
+            if has_swerved(t, pair):
                 collect(t, pair, 1.0)  # along the normal as it was
-                find_points(t, pair, 0.0)
+                find_last_points(t, pair)
                 collect(t, pair, -1.0)
             remember(t, pair)  # of the points that relax: what let go in the part may have new ones
             weigh_if_racing(t, pair)

@@ -9,9 +9,11 @@ b.
 
 from engine.kernels.pose import place_once, place_pair
 from engine.kernels.rubbing import belt_speed
+from engine.kernels.searching import is_part
+from engine.linkage.tally import is_joined
 from engine.manifolds.any_pair import touching_points
 from engine.manifolds.pressed import hold_back, is_pressed_through
-from engine.tables import Tables
+from engine.tables import NEVER, Tables
 
 DRIFT = 2e-3
 """How far bodies may move over each other until their points are found anew, in reaches of the
@@ -33,6 +35,9 @@ what loads make."""
 ASKEW = 0.05
 """Share of their speeds by which bodies may close faster than a contact says that was measured
 some time before in the same part."""
+
+SWERVE = 0.02
+"""The same for those of a contact whose normal turns, until they are found anew to relax."""
 
 RACING = 0.1
 """Bodies that moved over each other by more within a part have other effective masses than when
@@ -99,6 +104,24 @@ def follow(t: Tables, pair: int, least: float) -> None:
         contacts.tangent_arm_b[row] = tangent_arm - way_n
 
 
+def note_opening(t: Tables, pair: int) -> None:
+    """Note in `Contacts.target` how fast the points of a pair open (m/s) as it was last measured:
+    what they do as it is measured anew tells how its normal turns.
+    """
+    contacts = t.contacts
+    bodies = t.bodies
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    opening = (bodies.vx[b] - bodies.vx[a]) * t.pairs.normal_x[pair]
+    opening += (bodies.vy[b] - bodies.vy[a]) * t.pairs.normal_y[pair]
+    for row in range(2 * pair, 2 * pair + t.pairs.points[pair]):
+        contacts.target[row] = (
+            opening
+            + bodies.spin[b] * contacts.normal_arm_b[row]
+            - bodies.spin[a] * contacts.normal_arm_a[row]
+        )
+
+
 def turns_by_moving(t: Tables, pair: int, size: float) -> float:
     """By how much a way of `size` (m) turns the normal of a pair with a round body, roughly (rad).
 
@@ -122,6 +145,39 @@ def are_buried(t: Tables, pair: int) -> bool:
     y = pairs.seen_y[pair]
     apart = t.pieces.radius[a] + t.pieces.radius[b] - DEEP * pairs.size[pair]
     return x * x + y * y < apart * apart
+
+
+def has_swerved(t: Tables, pair: int) -> bool:
+    """Whether the normal of a pair has turned so far since its points were found that they have to
+    be found anew to relax.
+    """
+    if are_buried(t, pair):
+        return has_drifted(t, pair)
+    swerved = t.pairs.drift[pair] > SWERVE * t.pairs.size[pair]
+    return swerved and its_normal_turns(t, pair)
+
+
+def its_normal_turns(t: Tables, pair: int) -> bool:
+    """Whether the normal of a contact turns as its bodies go on: of two of which none is a wall,
+    and one is round, made of pieces or turned by no force.
+    """
+    if is_joined(t, pair):
+        return False
+    if is_part(t, pair):
+        return True
+    pieces = t.pieces
+    a = t.pairs.piece_a[pair]
+    b = t.pairs.piece_b[pair]
+    if pieces.corners[a] == 2 or pieces.corners[b] == 2:
+        return False
+    if pieces.corners[a] == 1 or pieces.corners[b] == 1:
+        return True
+    return is_turned(t, t.pairs.a[pair]) or is_turned(t, t.pairs.b[pair])
+
+
+def is_turned(t: Tables, row: int) -> bool:
+    """Whether a body turns that no force moves."""
+    return t.bodies.inverse_mass[row] == 0.0 and t.bodies.spin[row] != 0.0
 
 
 def has_drifted(t: Tables, pair: int) -> bool:
@@ -191,7 +247,7 @@ def weigh_if_racing(t: Tables, pair: int) -> None:
 def find_points(t: Tables, pair: int, time: float) -> None:
     """Find by geometry where the bodies touch at `time` of the present part (s), their middle pose.
 
-    The impulses of points that were known before are kept.
+    The impulses of points that were known before are kept, and how fast these opened.
     """
     place_pair(t, pair, time)
     find_placed_points(t, pair)
@@ -219,6 +275,8 @@ def find_placed_points(t: Tables, pair: int) -> None:
     normal_1 = contacts.normal_impulse[first + 1]
     tangent_0 = contacts.tangent_impulse[first]
     tangent_1 = contacts.tangent_impulse[first + 1]
+    opened_0 = contacts.target[first]
+    opened_1 = contacts.target[first + 1]
     points = touching_points(t, pair)
     if points > 0 and is_pressed_through(t, pair):
         points = hold_back(t, pair)
@@ -237,12 +295,15 @@ def find_placed_points(t: Tables, pair: int) -> None:
         contacts.feature[row] = feature
         contacts.normal_impulse[row] = 0.0
         contacts.tangent_impulse[row] = 0.0
+        contacts.target[row] = opened_0 if before == 1 and points == 1 else NEVER
         if before > 0 and old_0 == feature:
             contacts.normal_impulse[row] = normal_0
             contacts.tangent_impulse[row] = tangent_0
+            contacts.target[row] = opened_0
         elif before > 1 and old_1 == feature:
             contacts.normal_impulse[row] = normal_1
             contacts.tangent_impulse[row] = tangent_1
+            contacts.target[row] = opened_1
         contacts.gap[row] = t.touch.gap[i]
         measure(t, pair, row, t.touch.x[i], t.touch.y[i])
 

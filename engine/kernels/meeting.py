@@ -21,6 +21,10 @@ from engine.manifolds.any_pair import gap_between, touching_points
 from engine.manifolds.link import is_link, nearest_neighbour
 from engine.tables import FREE, NEVER, PASSING, RESTING, SENSING, Tables
 
+SINKS = 1e-3
+"""What slides over from one piece to the next may sink into it by so much until the part is over,
+in reaches of the smaller body; else it strikes it."""
+
 
 def measure_rims(t: Tables, count: int, part: float) -> None:
     """Bound how far any point of each body moves by its rotation in the part (m)."""
@@ -148,7 +152,9 @@ def find_meeting(t: Tables, pair: int, start: float, end: float) -> None:
     bound += rim_speed(t, a, t.pairs.piece_a[pair], lasts)
     bound += rim_speed(t, b, t.pairs.piece_b[pair], lasts)
     search(t, pair, start, end, bound)
-    if pairs.meeting[pair] < NEVER and slides_over(t, pair, pairs.speed[pair], end - start):
+    if pairs.meeting[pair] == NEVER or not slides_over(t, pair, pairs.speed[pair], end - start):
+        return
+    if pairs.speed[pair] * (end - pairs.meeting[pair]) <= SINKS * pairs.size[pair]:
         pairs.meeting[pair] = NEVER
 
 

@@ -13,9 +13,12 @@ from engine.kernels.following import (
     find_points_once,
     follow,
     has_drifted,
+    its_normal_turns,
+    note_opening,
     turning,
 )
 from engine.kernels.gathering import gather
+from engine.kernels.handing import hand_on, leave_to_bearing
 from engine.kernels.impacts import settling_speed, stays
 from engine.kernels.meeting import notice_passing, slides_over
 from engine.kernels.packing import clear_lane, is_packed, load_points
@@ -23,10 +26,17 @@ from engine.kernels.parting import is_parting
 from engine.kernels.pose import place_pair
 from engine.kernels.rousing import rouse
 from engine.kernels.rubbing import note_sliding
-from engine.kernels.searching import fastest_within, inner_of_both, lowest_gap
+from engine.kernels.searching import fastest_within, inner_of_both, is_part, lowest_gap
 from engine.kernels.simultaneous import strike_gathered
 from engine.kernels.sleeping import wake
-from engine.kernels.spring import DAMPING, PUSH, RESTLESS, frequency, softness, softness_left
+from engine.kernels.spring import (
+    DAMPING,
+    RESTLESS,
+    frequency,
+    set_spring,
+    softness,
+    softness_left,
+)
 from engine.kernels.steady import let_go
 from engine.kernels.touches import OVERLAP, collect_last_part, leave, touch
 from engine.linkage.tally import is_joined, joints_act
@@ -135,17 +145,10 @@ def comes_to_rest(t: Tables, pair: int, shortest: float) -> bool:
     size = t.pairs.size[pair]
     place_pair(t, pair, 0.0)
     points = touching_points(t, pair)
-    time = 0.0
-    if points == 0:  # on another link of the chain: look where its points will be looked for
-        time = shortest / 2.0
-        place_pair(t, pair, time)
-        points = touching_points(t, pair)
     gap = lowest_gap(t, points)
     if points == 0 or gap > TOUCHING * size:
         return False
-    speed = fastest_within(t, pair, points, time, gap + 1e-8 * size)
-    if time > 0.0:
-        return slides_over(t, pair, speed, shortest)
+    speed = fastest_within(t, pair, points, 0.0, gap + 1e-8 * size)
     fastest = size if gap < -KEEPING * size else stillness(t, pair)
     if gap < -OVERLAP * size and -size < speed <= fastest:
         return True
@@ -165,6 +168,8 @@ def hold(
     for again in (anew, True):
         if resting > 0:
             place_middle(t, count, part / 2.0, again)
+            if not again:
+                leave_to_bearing(t, resting, part)
         resting, queued = ready_all(t, resting, part, substep, again)
         if queued == 0:
             break
@@ -233,9 +238,14 @@ def ready_all(t: Tables, resting: int, part: float, substep: float, again: bool)
         if pairs.steady[pair] == 1:
             let_go(t, pair, substep)
         if pairs.points[pair] > 0:
+            note_opening(t, pair)
             follow(t, pair, 0.0)
         if has_drifted(t, pair):
+            before = pairs.points[pair]
             find_points_once(t, pair, part / 2.0)
+            if pairs.points[pair] == 0 and is_part(t, pair):
+                pair = hand_on(t, pair, before, part)
+                packed = packed and t.lanes.sizes[2] == 1
         if inverse_mass[a] == 0.0 or inverse_mass[b] == 0.0:
             does = prepare(t, pair, part, 2.0 * omega, firmly, bearing)
         else:
@@ -325,6 +335,7 @@ def prepare(
     parting = is_parting(t, pair)
     if parting:
         t.state.deep[0] = 2
+    turns = its_normal_turns(t, pair)
     does = HOLDS
     for row in range(2 * pair, 2 * pair + pairs.points[pair]):
         gap = contacts.gap[row]
@@ -350,7 +361,9 @@ def prepare(
                     does = LANDS
         contacts.normal_impulse[row] *= share
         contacts.tangent_impulse[row] *= share
-        set_spring(t, pair, row, part, rate, soft, parting)
+        opened = contacts.target[row]
+        curls = -closing - opened if turns and opened < NEVER else 0.0
+        set_spring(t, pair, row, part, rate, soft, parting, curls)
         if lands:
             contacts.hardness[row] = 0.0
     if turning(t, pair, part) > TUMBLING:
@@ -372,23 +385,3 @@ def plunges(t: Tables, pair: int, way: float, part: float, explained: float) -> 
     if turn * turn * t.pairs.size[pair] <= explained * part:
         return False
     return turn > WHIRLING or way > inner_of_both(t, pair)
-
-
-def set_spring(
-    t: Tables, pair: int, row: int, part: float, rate: float, soft: float, parting: bool
-) -> None:
-    """Let one point of a contact act for a part (s) as a spring, or rigidly if it gapes or is
-    `parting`; see `prepare`.
-    """
-    contacts = t.contacts
-    gap = contacts.gap[row]
-    if gap > 0.0 or parting:  # may close until the end of the part, but no faster
-        contacts.target[row] = 2.0 * gap / part if gap > 0.0 else 0.0
-        contacts.hardness[row] = contacts.normal_mass[row]
-        contacts.softness[row] = 0.0
-        return
-    bias = rate * gap
-    fastest = -PUSH * t.pairs.size[pair]
-    contacts.target[row] = bias if bias > fastest else fastest
-    contacts.hardness[row] = contacts.normal_mass[row] * (1.0 - soft)
-    contacts.softness[row] = soft

@@ -70,3 +70,34 @@ def softness_left(t: Tables, pair: int, omega: float) -> float:
 def sag(t: Tables, pair: int) -> float:
     """Overlap by which the spring of a contact may yield to its load, if it bears any (m)."""
     return SAG * t.pairs.size[pair] if load_on(t, pair) > 0.0 else 0.0
+
+
+def set_spring(
+    t: Tables,
+    pair: int,
+    row: int,
+    part: float,
+    rate: float,
+    soft: float,
+    parting: bool,
+    curls: float,
+) -> None:
+    """Let one point of a contact act for a part (s) as a spring, or rigidly if it gapes or is
+    `parting`; see `resting.prepare`.
+
+    Where the surface `curls` away from a straight path, or towards it if negative, by so much speed
+    until the middle of the part (m/s), the bodies leave each other as fast as they approached, so
+    that on the whole they keep their distance; what that lends is relaxed at the end.
+    """
+    contacts = t.contacts
+    gap = contacts.gap[row] - curls * part / 4.0  # without what it curls, in half the part
+    if gap > 0.0 or parting:  # may close until the end of the part, but no faster
+        contacts.target[row] = (2.0 * gap / part if gap > 0.0 else 0.0) + curls
+        contacts.hardness[row] = contacts.normal_mass[row]
+        contacts.softness[row] = 0.0
+        return
+    bias = rate * gap
+    fastest = -PUSH * t.pairs.size[pair]
+    contacts.target[row] = (bias if bias > fastest else fastest) + curls
+    contacts.hardness[row] = contacts.normal_mass[row] * (1.0 - soft)
+    contacts.softness[row] = soft

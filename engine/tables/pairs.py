@@ -131,7 +131,8 @@ class Contacts(NamedTuple):
     """Impulse that changes the normal velocity by 1 m/s (kg)."""
     tangent_mass: Floats
     target: Floats
-    """Speed with which the bodies are to approach, less if negative, in the present pass (m/s)."""
+    """Speed with which the bodies are to approach, less if negative, in the present pass (m/s);
+    while they are measured, with which they opened before, or `NEVER`."""
     hardness: Floats
     """Impulse per speed that is missing, in the present pass (kg)."""
     softness: Floats
