@@ -18,17 +18,24 @@ WITHIN = 5e-3
 straight ahead, and the next may turn away."""
 
 
-def leave_to_bearing(t: Tables, resting: int, part: float) -> None:
+def leave_to_bearing(t: Tables, resting: int, part: float) -> int:
     """Let go what was only struck on the way, where another piece of the same two bodies bears and
-    will be left before the middle of the part (s): that hands on its load.
+    will be left before the middle of the part (s): that hands on its load. Return how many pairs
+    still rest.
     """
     pairs = t.pairs
+    kept = 0
     for k in range(resting):
         pair = pairs.resting[k]
         if pairs.points[pair] == 0 and is_part(t, pair) and bears_no_more(t, pair, part / 2.0):
             leave(t, pair)
             pairs.state[pair] = FREE
             pairs.apart[pair] = 0.0
+            t.lanes.sizes[2] = 0
+        else:
+            pairs.resting[kept] = pair
+            kept += 1
+    return kept
 
 
 def bears_no_more(t: Tables, pair: int, time: float) -> bool:

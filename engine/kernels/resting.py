@@ -169,7 +169,7 @@ def hold(
         if resting > 0:
             place_middle(t, count, part / 2.0, again)
             if not again:
-                leave_to_bearing(t, resting, part)
+                resting = leave_to_bearing(t, resting, part)
         resting, queued = ready_all(t, resting, part, substep, again)
         if queued == 0:
             break

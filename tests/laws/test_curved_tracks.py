@@ -132,3 +132,19 @@ def test_a_ball_leaves_one_link_for_the_next_in_few_blows(drop: float) -> None:
     world.add(Circle(0.01), position=(0, 0.01), velocity=(math.sqrt(2 * G * drop) + 2, 0))
     blows = sum(len(world.step()) for _ in range(30))
     assert blows < 300
+
+
+def test_balls_that_chase_each_other_in_a_loop_keep_the_books_closed() -> None:
+    """What is handed from link to link is booked once: energy and angular momentum add up."""
+    world = track_world()
+    loop(world, 0.5, 360, friction=0.5)
+    for i in range(5):
+        x = 0.05 * i - 0.1
+        world.add(
+            Circle(0.02), position=(x, 0.033 + x * x), velocity=(5 - 0.3 * i, 0), friction=0.5
+        )
+    for _ in range(60):
+        world.step()
+    books = world.ledger()
+    assert abs(books.energy_error) < 1e-10
+    assert abs(books.angular_momentum_error) < 1e-10
