@@ -482,7 +482,7 @@ class Body:
         bodies.spin[row] += bodies.inverse_inertia[row] * turn
 
     def _row(self) -> int:
-        return self._world.row(self)
+        return self._world.store.row(self)
 
     def _dynamic(self, what: str) -> int:
         """Row of the body, if forces move it.

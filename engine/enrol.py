@@ -6,9 +6,8 @@ from typing import Any
 from engine import filters, materials, validate
 from engine.kernels.pose import put
 from engine.shapes import ORIGIN, Barrier, Particle, Piece, Shape
-from engine.tables import Corners, Tables, clear_row
+from engine.tables import Corners, Tables, start_row
 from engine.validate import shown
-from engine.vector import distance
 
 HUGE = 1e100
 """Masses (kg) and moments of inertia (kg m^2) lie between this and its inverse."""
@@ -96,56 +95,41 @@ def write_body(
 ) -> None:
     """Write a new body to `row`, its pieces from row `piece` on, their corners from `corner` on."""
     b = t.bodies
-    clear_row(b, row)
+    start_row(b, row)
     b.id[row], b.first[row], b.first_piece[row], b.pieces[row] = id, corner, piece, len(pieces)
     for name, value in values.items():
         getattr(b, name)[row] = value
     for each in pieces:
-        farthest = write_piece(t, each, row, piece, corner)
+        write_piece(t, each, row, piece, corner)
         piece, corner = piece + 1, corner + len(each.corners)
-        b.reach[row] = max(b.reach[row], farthest)
+    b.reach[row] = max(each.measures.outer for each in pieces)
     b.corners[row] = corner - b.first[row]
     put(b, t.corners, row, b.x[row], b.y[row], b.angle[row])
 
 
-def write_piece(t: Tables, shape: Piece, body: int, row: int, corner: int) -> float:
-    """Write a convex piece of the body in row `body` to `row`, its corners from `corner` on; return
-    how far from the body's centre it reaches (m).
-    """
-    p, points, radius = t.pieces, shape.corners, shape.radius
+def write_piece(t: Tables, shape: Piece, body: int, row: int, corner: int) -> None:
+    """Write a convex piece of the body in row `body` to `row`, its corners from `corner` on."""
+    p, points, measures = t.pieces, shape.corners, shape.measures
     p.body[row], p.first[row], p.corners[row] = body, corner, len(points)
-    p.radius[row], p.one_sided[row] = radius, int(shape.one_sided)
+    p.radius[row], p.one_sided[row] = shape.radius, int(shape.one_sided)
     p.before[row], p.after[row] = shape.before, shape.after
     p.seams[row] = int(bool(shape.seams))
-    write_seams(t.corners, shape, corner)
     p.x[row], p.y[row] = shape.center
-    farthest = radius + max(distance(point, ORIGIN) for point in points)
-    p.reach[row] = farthest if shape.center == ORIGIN else shape.reach
-    p.swing[row] = 0.0 if points == (ORIGIN,) else farthest
-    p.inner[row] = radius + write_corners(t.corners, shape, corner)
-    return farthest
-
-
-def write_corners(c: Corners, shape: Piece, row: int) -> float:
-    """Write the corners of a piece from `row` on; return the radius of a circle within (m)."""
-    points, inner = shape.corners, math.inf
-    for i, start in enumerate(points):
-        k, end = row + i, points[(i + 1) % len(points)]
-        x, y = end.x - start.x, end.y - start.y
-        length = math.sqrt(x * x + y * y) or 1.0
-        c.x[k], c.y[k] = start
-        c.normal_x[k], c.normal_y[k] = y / length, -x / length
-        depth = ((start.x - shape.center.x) * y - (start.y - shape.center.y) * x) / length
-        inner = min(inner, depth)
-    return inner if len(points) > 2 else 0.0
+    p.reach[row] = measures.outer if shape.center == ORIGIN else shape.reach
+    p.swing[row] = 0.0 if points == (ORIGIN,) else measures.outer
+    p.inner[row] = measures.inner
+    c = t.corners
+    for k, (point, normal) in enumerate(zip(points, measures.normals, strict=True), start=corner):
+        c.x[k], c.y[k] = point
+        c.normal_x[k], c.normal_y[k] = normal
+        c.kind[k] = 0
+        c.low_x[k] = c.low_y[k] = c.high_x[k] = c.high_y[k] = 0.0
+        c.cover_start[k], c.cover_end[k] = 0.0, -1.0
+    write_seams(c, shape, corner)
 
 
 def write_seams(c: Corners, shape: Piece, row: int) -> None:
     """Write what is a piece's own of its corners and sides, from `row` on."""
-    for k in range(row, row + len(shape.corners)):
-        c.kind[k] = 0
-        c.low_x[k] = c.low_y[k] = c.high_x[k] = c.high_y[k] = 0.0
-        c.cover_start[k], c.cover_end[k] = 0.0, -1.0
     for k, seam in enumerate(shape.seams, start=row):
         c.kind[k] = seam.kind
         c.low_x[k], c.low_y[k] = seam.low

@@ -37,7 +37,7 @@ def joint_columns(
     values: dict[str, float] = {
         "kind": KINDS.index(type(spec)), "a": a.id if a else 0, "b": b.id if b else 0,
         "ratio": 1.0, "effort": STRONGEST,
-        "size": min(body._world.bodies.reach[body._world.row(body)] for body in free),
+        "size": min(body._world.bodies.reach[body._row()] for body in free),
         "rest_angle": (b.angle if b else 0.0) - (a.angle if a else 0.0),
         "break_force": _strength(break_force, "break_force"),
         "break_torque": _strength(break_torque, "break_torque"),

@@ -35,6 +35,7 @@ from engine.tables import (
     move_row,
     new_tables,
     remove_rows,
+    start_row,
     views,
 )
 from engine.tables.linkage import BREAKING, BROKEN
@@ -137,16 +138,19 @@ class Store:
 
     def add_body(self, body: Body, shape: Shape, values: dict[str, float]) -> None:
         """Write a new body, the columns that were given for it and its shape, to a new row."""
-        pieces = shape.pieces
-        row, piece, corner = (self.count(name) for name in ("bodies", "pieces", "corners"))
-        ends = (row + 1, piece + len(pieces), corner + sum(len(each.corners) for each in pieces))
-        for name, rows in zip(("bodies", "pieces", "corners"), ends, strict=True):
-            self.make_room(name, rows)
-            getattr(self.tables.counts, name)[0] = rows
-        self.make_room("grid", 4 * ends[1])
+        pieces, counts = shape.pieces, self.tables.counts
+        row, piece, corner = counts.bodies[0], counts.pieces[0], counts.corners[0]
+        last_piece = piece + len(pieces)
+        last_corner = corner + sum([len(each.corners) for each in pieces])
+        self.make_room("bodies", row + 1)
+        self.make_room("pieces", last_piece)
+        self.make_room("corners", last_corner)
+        self.make_room("grid", 4 * last_piece)
+        counts.bodies[0], counts.pieces[0], counts.corners[0] = row + 1, last_piece, last_corner
         write_body(self.tables, pieces, body.id, row, piece, corner, values)
         self.handles.append(body)
         self.rows[body.id] = row
+        self.tables.state.stale[0] = 1
         self.list_fields()
 
     def remove_body(self, body: Body) -> None:
@@ -219,8 +223,14 @@ class Store:
 
     def add_joint(self, joint: Joint, values: dict[str, float], collide: bool) -> None:
         """Write a new joint, the columns that were given for it, to a new row."""
-        given = {"id": joint.id} | values
-        self.append("joints", tuple(given.get(name, 0) for name in self.tables.joints._fields))
+        row = self.count("joints")
+        self.make_room("joints", row + 1)
+        joints = self.tables.joints
+        start_row(joints, row)
+        joints.id[row] = joint.id
+        for name, value in values.items():
+            getattr(joints, name)[row] = value
+        self.tables.counts.joints[0] = row + 1
         self.joints.append(joint)
         if joint.a is not None and joint.b is not None and not collide:
             self.ignore(joint.a, joint.b, joint.id)

@@ -39,7 +39,7 @@ def finite(value: Any, name: str) -> float:
     """
     if type(value) is float and -math.inf < value < math.inf:  # what most are, at once
         return value
-    if isinstance(value, bool) or not isinstance(value, Real):
+    if type(value) is not int and (isinstance(value, bool) or not isinstance(value, Real)):
         raise TypeError(f"{name} must be a number, not {shown(value)}")
     try:
         number = float(value)
@@ -59,11 +59,13 @@ def positive(value: Any, name: str) -> float:
 
 
 def not_negative(value: Any, name: str) -> float:
-    """Return `value` as a float; refuse negative numbers as well."""
+    """Return `value` as a float, never -0.0; refuse negative numbers as well."""
+    if type(value) is float and 0.0 <= value < math.inf:
+        return value + 0.0
     number = finite(value, name)
     if number < 0.0:
         raise ValueError(f"{name} must not be negative, not {number}")
-    return number
+    return number + 0.0
 
 
 def positive_or_endless(value: Any, name: str) -> float:
@@ -88,6 +90,8 @@ def tick(value: Any, name: str = "dt") -> float:
 
 def fraction(value: Any, name: str) -> float:
     """Return `value` as a float; refuse what is not between 0 and 1."""
+    if type(value) is float and 0.0 <= value <= 1.0:
+        return value
     number = finite(value, name)
     if not 0.0 <= number <= 1.0:
         raise ValueError(f"{name} must be between 0 and 1, not {number}")
@@ -96,6 +100,8 @@ def fraction(value: Any, name: str) -> float:
 
 def whole(value: Any, name: str, at_least: int, at_most: int | None = None) -> int:
     """Return `value` as an int; refuse what is no whole number, too small or too large."""
+    if type(value) is int and at_least <= value and (at_most is None or value <= at_most):
+        return value
     try:
         number = index(value)
     except TypeError:
@@ -127,7 +133,10 @@ def vector(value: Any, name: str) -> Vector:
         pair = list(islice(value, MOST_SHOWN))
     if len(pair) != 2:
         raise ValueError(f"{name} must be a pair of numbers, not {len(pair)} of them")
-    return Vector(finite(pair[0], f"{name}[0]"), finite(pair[1], f"{name}[1]"))
+    x, y = pair
+    if type(x) is type(y) is float and -math.inf < x < math.inf and -math.inf < y < math.inf:
+        return Vector(x, y)
+    return Vector(finite(x, f"{name}[0]"), finite(y, f"{name}[1]"))
 
 
 def keys(data: Any, wanted: Iterable[str], what: str) -> None:

@@ -214,9 +214,9 @@ class World:
         self.store.material(material)
         id = self.store.new_id("body")
         body = Body(self, id, shape, name or f"{type(shape).__name__.lower()} {id}")
-        body.on_move, body.on_collision = on_move, on_collision
+        if on_move is not None or on_collision is not None:
+            body.on_move, body.on_collision = on_move, on_collision
         self.store.add_body(body, shape, values)
-        self.tables.state.stale[0] = 1
         return body
 
     @noted

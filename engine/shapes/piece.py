@@ -1,12 +1,16 @@
 """The convex parts of which all shapes are made."""
 
 import math
+from functools import cached_property
 from typing import NamedTuple
 
 from engine.vector import Vector, distance, rotated
 
 ORIGIN = Vector(0.0, 0.0)
 """Centre of mass of every body, in its own frame (m)."""
+
+ALIKE = 256
+"""Of so many shapes the pieces are kept, as most bodies of a world are alike; they never change."""
 
 CHORDS = 64
 """Straight lines that stand for a full circle in an outline."""
@@ -25,8 +29,19 @@ class Seam(NamedTuple):
     end: float
 
 
-class Piece(NamedTuple):
-    """A convex part of a shape, as the tables keep it: the hull of some corners, rounded."""
+class Measures(NamedTuple):
+    """What follows from the corners of a piece."""
+
+    normals: tuple[tuple[float, float], ...]
+    """Of the side from each corner on: a unit vector outwards."""
+    inner: float
+    """Radius of a circle within, about the centre of the piece (m)."""
+    outer: float
+    """How far it reaches from the origin (m)."""
+
+
+class _Hull(NamedTuple):
+    """What a piece is made from."""
 
     corners: tuple[Vector, ...]
     """One for a disc, two for a line, three and more, counter-clockwise, for a polygon (m)."""
@@ -43,6 +58,10 @@ class Piece(NamedTuple):
     seams: tuple[Seam, ...] = ()
     """One a corner, if other pieces of the body join this one."""
 
+
+class Piece(_Hull):
+    """A convex part of a shape, as the tables keep it: the hull of some corners, rounded."""
+
     def moved(self, offset: Vector, angle: float) -> "Piece":
         """The piece turned about the origin (rad), then shifted (m), without its seams."""
         return self._replace(
@@ -55,6 +74,21 @@ class Piece(NamedTuple):
     def reach(self) -> float:
         """Radius of a circle about the centre that holds it (m)."""
         return self.radius + max(distance(corner, self.center) for corner in self.corners)
+
+    @cached_property
+    def measures(self) -> Measures:
+        """Kept, as bodies of one shape share it."""
+        points, middle, inner = self.corners, self.center, math.inf
+        normals = []
+        for i, start in enumerate(points):
+            end = points[(i + 1) % len(points)]
+            x, y = end.x - start.x, end.y - start.y
+            length = math.sqrt(x * x + y * y) or 1.0
+            normals.append((y / length, -x / length))
+            inner = min(inner, ((start.x - middle.x) * y - (start.y - middle.y) * x) / length)
+        inner = self.radius + (inner if len(points) > 2 else 0.0)
+        outer = self.radius + max(distance(point, ORIGIN) for point in points)
+        return Measures(tuple(normals), inner, outer)
 
     @property
     def outline(self) -> tuple[Vector, ...]:

@@ -3,13 +3,14 @@
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import Any
+from functools import cached_property, lru_cache
+from typing import Any, cast
 
 from engine import validate
 from engine.shapes.concave import Concave
 from engine.shapes.hull import MOST_VERTICES, corners_in_order
 from engine.shapes.moments import area_and_centroid, gyration, rounded
-from engine.shapes.piece import Piece
+from engine.shapes.piece import ALIKE, Piece
 from engine.vector import Vector
 
 
@@ -60,23 +61,21 @@ class Polygon:
         if count > MOST_VERTICES:
             raise ValueError(f"sides must be at most {MOST_VERTICES}, not {count}")
         size = validate.positive(radius, "radius")
-        turn = 2.0 * math.pi / count
-        around = (Vector.polar(size, i * turn) for i in range(count))
-        return cls(around, rounding)
+        return _regular(cast(Any, cls), count, size, validate.not_negative(rounding, "rounding"))
 
     @classmethod
     def box(cls, width: float, height: float, rounding: float = 0.0) -> "Polygon":
         """Make an upright rectangle from its full width and height (m), before it is rounded."""
         x = validate.positive(width, "width") / 2.0
         y = validate.positive(height, "height") / 2.0
-        return cls([(-x, -y), (x, -y), (x, y), (-x, y)], rounding)
+        return _upright(cast(Any, cls), x, y, validate.not_negative(rounding, "rounding"))
 
     @staticmethod
     def concave(vertices: Iterable[Any]) -> Concave:
         """Make a polygon that need not be convex; its vertices stand in sequence: see `Concave`."""
         return Concave(vertices)
 
-    @property
+    @cached_property
     def pieces(self) -> tuple[Piece, ...]:
         """The polygon."""
         if self.rounding == 0.0:
@@ -112,23 +111,47 @@ class Box:
     @property
     def vertices(self) -> tuple[Vector, ...]:
         """Counter-clockwise from the lower left one (m); of the rectangle before it is rounded."""
-        x, y = self.width / 2.0, self.height / 2.0
-        return (Vector(-x, -y), Vector(x, -y), Vector(x, y), Vector(-x, y))
+        return self.pieces[0].corners
 
     @property
     def area(self) -> float:
         """(m^2)"""
         if self.rounding == 0.0:
             return self.width * self.height
-        return rounded(self.vertices, self.rounding)[0]
+        return _rounded_rectangle(self.width / 2.0, self.height / 2.0, self.rounding)[0]
 
     @property
     def pieces(self) -> tuple[Piece, ...]:
         """The rectangle."""
-        return (Piece(self.vertices, radius=self.rounding),)
+        return _rectangle(self.width / 2.0, self.height / 2.0, self.rounding)
 
     def inertia(self, mass: float) -> float:
         """Mass moment of inertia about the centre (kg m^2): m (w^2 + h^2) / 12 if it is sharp."""
         if self.rounding == 0.0:
             return mass * (self.width * self.width + self.height * self.height) / 12.0
-        return mass * rounded(self.vertices, self.rounding)[2]
+        return mass * _rounded_rectangle(self.width / 2.0, self.height / 2.0, self.rounding)[2]
+
+
+@lru_cache(ALIKE)
+def _regular(kind: type[Polygon], sides: int, radius: float, rounding: float) -> Polygon:
+    """A polygon with corners on a circle: the same for all that are alike."""
+    turn = 2.0 * math.pi / sides
+    return kind((Vector.polar(radius, i * turn) for i in range(sides)), rounding)
+
+
+@lru_cache(ALIKE)
+def _upright(kind: type[Polygon], x: float, y: float, rounding: float) -> Polygon:
+    """An upright rectangle from half its width and height: the same for all that are alike."""
+    return kind([(-x, -y), (x, -y), (x, y), (-x, y)], rounding)
+
+
+@lru_cache(ALIKE)
+def _rectangle(x: float, y: float, rounding: float) -> tuple[Piece, ...]:
+    """The piece of a box."""
+    return (Piece((Vector(-x, -y), Vector(x, -y), Vector(x, y), Vector(-x, y)), radius=rounding),)
+
+
+@lru_cache(ALIKE)
+def _rounded_rectangle(x: float, y: float, rounding: float) -> tuple[float, Vector, float]:
+    """What `rounded` says of a box."""
+    return rounded(_rectangle(x, y, rounding)[0].corners, rounding)

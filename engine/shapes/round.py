@@ -2,9 +2,10 @@
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 from engine import validate
-from engine.shapes.piece import ORIGIN, Piece
+from engine.shapes.piece import ALIKE, ORIGIN, Piece
 from engine.vector import Vector
 
 
@@ -27,7 +28,7 @@ class _Round:
     @property
     def pieces(self) -> tuple[Piece, ...]:
         """The disc."""
-        return (Piece((ORIGIN,), radius=self.radius),)
+        return _disc(self.radius)
 
 
 @dataclass(frozen=True)
@@ -71,8 +72,7 @@ class Capsule:
     @property
     def pieces(self) -> tuple[Piece, ...]:
         """The stadium."""
-        half = self.length / 2.0
-        return (Piece((Vector(-half, 0.0), Vector(half, 0.0)), radius=self.radius),)
+        return _stadium(self.length / 2.0, self.radius)
 
     def inertia(self, mass: float) -> float:
         """Mass moment of inertia about the centre (kg m^2).
@@ -87,3 +87,13 @@ class Capsule:
         of_middle = (length * length + 4.0 * radius * radius) / 12.0
         share = math.pi * radius / (math.pi * radius + 2.0 * length)
         return mass * (share * of_ends + (1.0 - share) * of_middle)
+
+
+@lru_cache(ALIKE)
+def _disc(radius: float) -> tuple[Piece, ...]:
+    return (Piece((ORIGIN,), radius=radius),)
+
+
+@lru_cache(ALIKE)
+def _stadium(half: float, radius: float) -> tuple[Piece, ...]:
+    return (Piece((Vector(-half, 0.0), Vector(half, 0.0)), radius=radius),)

@@ -18,6 +18,7 @@ from engine.tables.columns import (
     move_row,
     remove_rows,
     side_by_side,
+    start_row,
     views,
 )
 from engine.tables.lanes import LANES, Lanes
@@ -116,5 +117,6 @@ __all__ = [
     "new_tables",
     "remove_rows",
     "side_by_side",
+    "start_row",
     "views",
 ]

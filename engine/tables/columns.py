@@ -1,5 +1,6 @@
 """Columns of numbers, and what can be done to any table of them."""
 
+from functools import cache
 from inspect import get_annotations
 from typing import Any, Protocol, TypeVar
 
@@ -75,19 +76,19 @@ def allocate(table: type[Table], rows: int) -> Table:
     the cache of a processor. Of columns in `SIDE_BY_SIDE`, the numbers of a row lie together
     instead.
     """
-    fields: tuple[str, ...] = getattr(table, "_fields")  # noqa: B009, bound to a plain tuple
     kinds = get_annotations(table)
     together = side_by_side(table)
-    apart = [name for name in fields if name not in together]
+    alone = [name for name in kinds if name not in together]
     lines = (rows + LINE - 1) // LINE | 1
-    columns = dict(zip(apart, np.zeros((len(apart), lines * LINE), np.int64), strict=True))
-    columns |= dict(zip(together, np.zeros((rows, len(together)), np.int64).T, strict=True))
-    return table(
-        *(
-            columns[name][:rows] if kinds[name] is Ints else columns[name][:rows].view(np.float64)
-            for name in fields
-        )
-    )
+    columns = {}
+    for names, block in (
+        (alone, np.zeros((len(alone), lines * LINE), np.int64)),
+        (together, np.zeros((rows, len(together)), np.int64).T),
+    ):
+        as_ints, as_floats = block[:, :rows], block.view(np.float64)[:, :rows]
+        for name, ints, floats in zip(names, as_ints, as_floats, strict=True):
+            columns[name] = ints if kinds[name] is Ints else floats
+    return table(**columns)
 
 
 def side_by_side(table: Any) -> tuple[str, ...]:
@@ -97,10 +98,28 @@ def side_by_side(table: Any) -> tuple[str, ...]:
 
 def grow(table: Table, rows: int) -> Table:
     """Copy a table into one with room for `rows`."""
-    larger = allocate(type(table), rows)
-    for old, new in zip(arrays(table), arrays(larger), strict=True):
-        new[: len(old)] = old
+    larger, known = allocate(type(table), rows), len(table[0])
+    for old, new in zip(_blocks(table), _blocks(larger), strict=True):
+        new[:, :known] = old[:, :known]
     return larger
+
+
+def _blocks(table: Any) -> list[Any]:
+    """The memory of a table that `allocate` made (int64), a column of the table in each row."""
+    found = []
+    for column, aside in _one_of_each_block(table.__class__):
+        memory = getattr(table[column], "obj", table[column]).base
+        found.append(memory.T if aside else memory)
+    return found
+
+
+@cache
+def _one_of_each_block(table: type) -> list[tuple[int, bool]]:
+    """A column of each block of memory, by its number, and whether it is one of `SIDE_BY_SIDE`."""
+    together = side_by_side(table)
+    fields: tuple[str, ...] = getattr(table, "_fields")  # noqa: B009, bound to a plain tuple
+    kinds = [name in together for name in fields]
+    return [(kinds.index(aside), aside) for aside in (False, True) if aside in kinds]
 
 
 def arrays(table: Any) -> tuple[Any, ...]:
@@ -123,9 +142,19 @@ def remove_rows(table: Any, row: int, number: int, rows: int) -> None:
 
 
 def move_row(table: Any, source: int, target: int) -> None:
-    """Put a row before an earlier one; those between move down."""
+    """Put a row before an earlier one, or leave it; those between move down."""
+    if source == target:
+        return
     for column in arrays(table):
-        column[target : source + 1] = np.roll(column[target : source + 1], 1)
+        moved = column[source]
+        column[target + 1 : source + 1] = column[target:source].copy()
+        column[target] = moved
+
+
+def start_row(table: Any, row: int) -> None:
+    """Write zeros to a row of a table of views: what `clear_row` does, all columns at once."""
+    for block in _blocks(table):
+        block[:, row] = 0
 
 
 def copy_row(table: Any, source: int, target: int) -> None:

@@ -317,3 +317,26 @@ def test_a_body_of_many_pieces_may_be_removed_saved_and_put_back() -> None:
     for _ in range(40):
         other.step()
     assert first_ends == [other.digest()] * 2
+
+
+def test_what_is_computed_of_alike_shapes_is_computed_once() -> None:
+    assert Polygon.box(1, 2) is Polygon.box(1.0, 2)
+    assert Polygon.regular(5, 1) is Polygon.regular(5, 1.0)
+    assert Box(1, 2).pieces is Box(1.0, 2).pieces
+    assert Circle(0.5).pieces is Circle(0.5).pieces
+    assert Box(1, 2).pieces != Box(2, 1).pieces
+    assert Polygon.box(1, 2, rounding=0.1) != Polygon.box(1, 2)
+
+
+def test_a_subclass_gets_shapes_of_its_own() -> None:
+    class Plate(Polygon):
+        pass
+
+    assert type(Plate.box(1, 2)) is Plate
+    assert type(Polygon.box(1, 2)) is Polygon
+
+
+def test_zero_has_one_sign_so_that_shapes_do_not_depend_on_which_was_first() -> None:
+    assert repr(Box(1, 1, rounding=-0.0)) == repr(Box(1, 1))
+    assert math.copysign(1.0, Polygon.box(3, 4, rounding=-0.0).rounding) == 1.0
+    assert math.copysign(1.0, Box(3, 4, rounding=-0.0).pieces[0].radius) == 1.0
