@@ -1,4 +1,14 @@
-"""A standalone 2D rigid-body engine: SI units, float64, +y up, angles counter-clockwise."""
+"""A standalone 2D rigid-body engine: SI units, float64, +y up, angles counter-clockwise.
+
+    >>> from engine import Circle, Wall, World
+    >>> world = World(gravity=(0, -9.81))
+    >>> floor = world.add(Wall((-5, 0), (5, 0)))
+    >>> ball = world.add(Circle(0.2), mass=0.5, position=(0, 1.2), restitution=0.8)
+    >>> tracks = world.run(60)
+
+`World` has all that a room can do; its `add` and `join` return handles, `Body` and `Joint`. The
+guide is docs/engine.md.
+"""
 
 from engine.body import Body
 from engine.collision import Collision, Collisions, Diverged, Removed
@@ -75,3 +85,8 @@ __all__ = [
     "World",
     "replay",
 ]
+
+
+def __dir__() -> list[str]:
+    """The public names; modules are there for those who look for them."""
+    return __all__

@@ -460,6 +460,9 @@ class Body:
                 exactly force times duration, whatever the tick.
             at: point of attack of a force (m, world); it moves and turns with the body from now
                 on. None: the centre of mass.
+
+        Raises:
+            TypeError, ValueError: for what is no effort, and for a body that no force moves.
         """
         self._dynamic("force")
         x, y, torque = components(effort)
@@ -471,7 +474,12 @@ class Body:
 
     @noted
     def apply_impulse(self, impulse: Any, at: Any = None) -> None:
-        """Change the momentum at once by `impulse` (N s, world), at a point (m, world)."""
+        """Change momentum and spin at once.
+
+        Args:
+            impulse: (N s, world), as (x, y).
+            at: where it acts (m, world); None: at the centre of mass, which gives no spin.
+        """
         row, given = self._dynamic("impulse"), validate.vector(impulse, "impulse")
         centre = self.position
         point = centre if at is None else validate.vector(at, "at")

@@ -143,11 +143,20 @@ def _inertness(
     """Mass, moment of inertia and their inverses, as columns of `Bodies`."""
     if kind != "dynamic" or isinstance(shape, Barrier):
         return ENDLESS
-    kg = 1.0 if mass is None else validate.positive(mass, "mass")
+    kg = 1.0 if mass is None else _finite(mass, "mass", 'kind="kinematic" or "static"')
     if fixed:
         return inertness(shape, kg, math.inf)
-    turning = shape.inertia(kg) if inertia is None else validate.positive(inertia, "inertia")
+    turning = shape.inertia(kg)
+    if inertia is not None:
+        turning = _finite(inertia, "inertia", "fixed_rotation=True")
     return inertness(shape, kg, turning, isinstance(shape, Particle))
+
+
+def _finite(value: Any, name: str, instead: str) -> float:
+    """Refuse what is not positive; who wants an infinite one is told what to give instead."""
+    if validate.is_endless(value):
+        raise ValueError(f"{name} must be finite, not inf: give {instead} instead")
+    return validate.positive(value, name)
 
 
 def inertness(shape: Shape, kg: float, turning: float, endless: bool = True) -> dict[str, float]:

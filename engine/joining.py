@@ -71,7 +71,9 @@ def _own(a: "Body | None", spec: Spec, start: Vector, end: Vector) -> dict[str, 
         return {"low": -math.inf, "high": length, "ratio": spec.ratio} | over
     length = far if spec.length is None else spec.length
     if length == 0.0 and not isinstance(spec, Spring):
-        raise ValueError(f"a {type(spec).__name__} needs a length, as both ends are at {start}")
+        raise ValueError(
+            f"a {type(spec).__name__} needs a length, as both ends are at {tuple(start)}"
+        )
     if isinstance(spec, Rope):
         return {"low": -math.inf, "high": length}
     own = {"low": length, "high": length}

@@ -47,9 +47,10 @@ class Joint:
         self._on_break: OnBreak | None = None
 
     def __repr__(self) -> str:
-        """Say what it is and what it joins."""
+        """Say what it joins and what it is."""
         names = [body.name if body else "the world" for body in (self.a, self.b)]
-        return f"<Joint {self.id}, {' to '.join(names)}>"
+        kind = self.kind.__name__ if self in self._world.joints else "removed"
+        return f"<Joint {self.id}, {' to '.join(names)}: {kind}>"
 
     def __reduce__(self) -> Any:
         """Copy and pickle it with its world, as the joint of this id."""
@@ -208,6 +209,7 @@ class Joint:
     @stiffness.setter
     @noted
     def stiffness(self, value: Any) -> None:
+        self._only((Spring,), "stiffness")
         new = validate.not_negative(value, "stiffness")
         check_spring(new, self.damping)
         self._set("stiffness", new)
@@ -222,6 +224,7 @@ class Joint:
     @damping.setter
     @noted
     def damping(self, value: Any) -> None:
+        self._only((Spring,), "damping")
         new = validate.not_negative(value, "damping")
         check_spring(self.stiffness, new)
         self._set("damping", new)

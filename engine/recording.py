@@ -48,6 +48,10 @@ class Recording:
         self.busy = False
         self._world: World | None = None
 
+    def __repr__(self) -> str:
+        """Say how much is on record."""
+        return f"<Recording: {self.ticks} ticks, {len(self.inputs)} inputs>"
+
     @classmethod
     def of(cls, world: "World") -> "Recording":
         """Begin to record a world; see `World.record`."""

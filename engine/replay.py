@@ -49,7 +49,7 @@ def replay(
         TypeError, ValueError, LookupError: for a start that is no saved world.
     """
     from engine.plain import Decoder  # see `store`
-    from engine.portable import KINDS, by_name
+    from engine.saving import KINDS, by_name
 
     if not isinstance(recording, Recording):
         raise TypeError(f"only a Recording can be replayed, not {shown(recording)}")
@@ -79,7 +79,7 @@ def _do(world: World, entry: dict[str, Any], decode: "Decoder", functions: "Func
     if not isinstance(given, dict):
         raise TypeError(f"what an input was given must be a dictionary, not {shown(given)}")
     if entry["call"] == "restore":
-        from engine.portable import refill
+        from engine.saving import refill
 
         refill(world, validate.listed(args, what, 1)[0], functions)
         return

@@ -11,7 +11,7 @@ from engine.force_laws import ActingLaw, field_columns
 from engine.joint import Joint
 from engine.pair_rows import resting_columns
 from engine.settings import AS_FRICTION, Laws, Rules
-from engine.tables import Tables, arrays
+from engine.tables import State, Tables, arrays
 
 STATE = (
     "id", "x", "y", "angle", "vx", "vy", "spin", "mass", "inertia", "restitution", "friction",
@@ -38,6 +38,11 @@ class Snapshot(NamedTuple):
     laws: Laws
     """Gravity among them, which may be set."""
     rules: Rules
+
+    def __repr__(self) -> str:
+        """Say of how many bodies it is, and of which tick."""
+        tick = self.tables["state"][State._fields.index("tick")][0]
+        return f"<Snapshot: {len(self.handles)} bodies, after tick {tick}>"
 
 
 def digest(t: Tables, time: float) -> str:

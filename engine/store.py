@@ -133,7 +133,8 @@ class Store:
         """
         row = self.rows.get(body.id)
         if row is None or self.handles[row] is not body:
-            raise Removed(f"{body.name} is not in this world")
+            where = "" if body._world.store is self else " but in another"
+            raise Removed(f"{body.name} is not in this world{where}")
         return row
 
     def add_body(self, body: Body, shape: Shape, values: dict[str, float]) -> None:

@@ -1,6 +1,6 @@
 """What many ticks in one call record."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -26,6 +26,15 @@ class Tracks:
     """In order of time, if they were asked for."""
     collision_count: int
     """How many there were, asked for or not."""
+
+    def __repr__(self) -> str:
+        """Say of how many ticks and bodies they are, and what was recorded."""
+        names = ", ".join(self.columns) or "nothing"
+        return f"<Tracks: {len(self.times) - 1} ticks of {len(self.ids)} bodies, {names}>"
+
+    def keys(self) -> Iterable[str]:
+        """The recorded names: so `dict(tracks)` makes a dictionary of all arrays."""
+        return self.columns.keys()
 
     def __getitem__(self, name: str) -> Any:
         """One recorded name: an array (ticks + 1, bodies)."""

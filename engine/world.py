@@ -84,15 +84,19 @@ class World:
 
         Handles that are copied together with it are then handles of the copy.
         """
-        from engine import portable  # see `store`
+        from engine import saving  # see `store`
 
-        saved = (self.to_dict(), portable.functions_of(self), self._clockwork.mode)
+        saved = (self.to_dict(), saving.functions_of(self), self._clockwork.mode)
         return type(self).from_dict, saved
 
     def step(self, dt: float = TICK) -> Collisions:
         """Advance by `dt` seconds; return the collisions that happened, in order of time.
 
         Nothing calls back from inside. Same tables in, same tables out.
+
+        Args:
+            dt: length of the tick (s), 1/60 s unless told otherwise; it need not be shorter, as
+                impacts happen at instants of their own.
 
         Raises:
             Diverged: when a body left the range of numbers; the world is then of no more use.
@@ -126,15 +130,21 @@ class World:
         Args:
             ticks: how many steps to take.
             dt: length of each (s).
-            record: which of x, y, angle, vx, vy, spin, force_x, force_y, torque to keep.
+            record: which of x, y (m), angle (rad), vx, vy (m/s), spin (rad/s), force_x, force_y (N)
+                and torque (N m) to keep.
             collisions: whether to keep the collisions as well.
+
+        Raises:
+            Diverged: as `step`.
         """
         from engine import bulk  # see `store`
 
         return bulk.run(self, self._clockwork, ticks, dt, record, collisions)
 
     def state(self) -> Any:
-        """Read all bodies at once: an array of a row a body of id, x, y, angle, vx, vy, spin."""
+        """Read all bodies at once: an array (bodies, 7) of id, x, y (m), angle (rad), vx, vy (m/s)
+        and spin (rad/s), in the order of ids.
+        """
         from engine import bulk  # see `store`
 
         return bulk.state(self)
@@ -144,6 +154,9 @@ class World:
         """Set pose and motion of many bodies, by rows as `state` returns them, in any order.
 
         Walls may be among them where they are; a particle must have no spin.
+
+        Raises:
+            TypeError, ValueError, Removed: for rows that are none; nothing has changed then.
         """
         from engine import bulk  # see `store`
 
@@ -181,19 +194,40 @@ class World:
     ) -> Body:
         """Put a body into the world; return its handle.
 
-        A body of the `kind` "dynamic" is moved by forces; one that is "kinematic" has infinite mass
-        and goes with its own velocity and spin, pushing others; one that is "static" stays where it
-        is put, as walls do, which are nothing else.
+        A wall or chain takes none of kind, mass, inertia, position, angle, velocity, spin.
 
-        Mass is 1 kg, the rest zero unless given; the moment of inertia follows from shape and mass.
-        A wall takes none of mass, position, angle, velocity, spin, inertia. With `fixed_rotation`
-        neither contacts nor torques turn it, as if its inertia were infinite.
+        Args:
+            shape: what it looks like; may be shared by any number of bodies.
+            kind: "dynamic" (the usual one) is moved by forces; "kinematic" has infinite mass and
+                goes with its own velocity and spin, pushing others; "static" stays where it is put,
+                as walls do, which are nothing else.
+            mass: (kg); None: 1 kg.
+            position: of the centre of mass (m), as (x, y); None: the origin.
+            angle: counter-clockwise (rad); None: 0.
+            velocity: of the centre of mass (m/s), as (x, y); None: at rest.
+            spin: angular velocity, counter-clockwise (rad/s); None: 0.
+            restitution: share of the approach speed that an impact gives back, 0..1; that of a pair
+                is the larger, unless the world has a rule.
+            friction: Coulomb's coefficient; that of a pair is the geometric mean.
+            static_friction: the same for what rests, at least `friction`; None: `friction`.
+            rolling_resistance: lever arm (m) of the normal force against rolling.
+            surface_speed: of a conveyor (m/s): along a wall or chain, counter-clockwise along the
+                edge of other shapes.
+            material: a name, see `set_material_pair`.
+            inertia: mass moment of inertia about the centre of mass (kg m^2); None: that of the
+                shape with this mass.
+            gravity_scale: by which the world's gravity is multiplied for it.
+            fixed_rotation: whether neither contacts nor torques turn it.
+            sensor: whether it acts on nothing and only notices what overlaps it, see `contacts`.
+            category: bits (32) of the kinds of body that it is.
+            mask: bits of the categories that it touches, if their masks name its own as well.
+            group: bodies of the same group other than 0 pass through each other.
+            name: for messages and tracks; None: shape and id, as "circle 2".
+            on_move: called with the body after each step in which it moved.
+            on_collision: called with the body and each of its collisions after the step.
 
-        A `sensor` acts on nothing and is acted upon by nothing that it meets: it notices what
-        overlaps it, see `contacts`.
-
-        Two bodies pass through each other unless each is of a `category` (32 bits) that the
-        other's `mask` names, and if both are of the same `group` other than 0.
+        Raises:
+            TypeError, ValueError: in one sentence that names the value; nothing has changed then.
         """
         if not isinstance(shape, Shape):
             raise TypeError(
@@ -270,9 +304,11 @@ class World:
         self._two_bodies(a, b)
         return self.store.ignores(a, b)
 
-    def _own(self, body: Body) -> None:
+    def _own(self, body: Any) -> None:
         if not isinstance(body, Body):
-            raise TypeError(f"it takes a body of this world, not {shown(body)}")
+            removable = isinstance(body, Joint | ActingLaw)
+            hint = ", which has a remove() of its own" if removable else ""
+            raise TypeError(f"it takes a body of this world, not {shown(body)}{hint}")
         self.row(body)
 
     def _two_bodies(self, a: Body, b: Body) -> None:
@@ -305,6 +341,10 @@ class World:
             break_force: mean force over a tick (N) beyond which it breaks; None: never.
             break_torque: the same for the torque (N m).
             on_break: called with the joint after the step in which it broke.
+
+        Raises:
+            TypeError, ValueError: for what cannot be joined so.
+            Removed: (a LookupError) for a body that is not in this world.
         """
         from engine.joining import joint_columns  # see `store`
 
@@ -624,9 +664,9 @@ class World:
         The two go on bit for bit alike, in other processes and on other machines too. Functions
         that bodies call back are not saved; other functions (rules) are, by their names.
         """
-        from engine import portable  # see `store`
+        from engine import saving  # see `store`
 
-        return portable.to_dict(self)
+        return saving.to_dict(self)
 
     @classmethod
     def from_dict(
@@ -644,10 +684,10 @@ class World:
             TypeError, ValueError: in one sentence, for data of another version or damaged data.
             LookupError: for a function that is missing.
         """
-        from engine import portable  # see `store`
+        from engine import saving  # see `store`
 
         world = cls(kernels=kernels)
-        portable.refill(world, data, portable.by_name(functions))
+        saving.refill(world, data, saving.by_name(functions))
         return world
 
     def record(self) -> Recording:

@@ -33,11 +33,11 @@ class Compound:
     """Shape, where its centre of mass is (m), and by how much it is turned (rad)."""
     masses: tuple[float, ...] | None = None
     """Of the parts, in any unit: only their ratios matter."""
-    area: float = field(init=False, compare=False)
+    area: float = field(init=False, compare=False, repr=False)
     """Of all parts (m^2)."""
-    centroid: Vector = field(init=False, compare=False)
+    centroid: Vector = field(init=False, compare=False, repr=False)
     """Where the centre of mass lay in the coordinates that were given (m)."""
-    gyration: float = field(init=False, compare=False)
+    gyration: float = field(init=False, compare=False, repr=False)
     """Mass moment of inertia about the centre of mass for 1 kg (m^2), by Steiner's theorem."""
 
     def __init__(self, parts: Iterable[Any], masses: Iterable[float] | None = None) -> None:
@@ -67,6 +67,10 @@ class Compound:
         object.__setattr__(self, "area", math.fsum(shape.area for shape, _, _ in own))
         object.__setattr__(self, "centroid", Vector(x, y))
         object.__setattr__(self, "gyration", turning / total)
+
+    def __str__(self) -> str:
+        """Say how many parts it has; `repr` lists them."""
+        return f"Compound of {len(self.parts)} parts"
 
     @cached_property
     def pieces(self) -> tuple[Piece, ...]:

@@ -32,13 +32,13 @@ class Concave:
 
     vertices: tuple[Vector, ...]
     """The outline, counter-clockwise, about the centroid (m)."""
-    parts: tuple[tuple[Vector, ...], ...] = field(init=False, compare=False)
+    parts: tuple[tuple[Vector, ...], ...] = field(init=False, compare=False, repr=False)
     """The convex polygons of which it is made, each counter-clockwise (m)."""
-    area: float = field(init=False, compare=False)
+    area: float = field(init=False, compare=False, repr=False)
     """(m^2)"""
-    centroid: Vector = field(init=False, compare=False)
+    centroid: Vector = field(init=False, compare=False, repr=False)
     """Where the centroid lay in the coordinates that were given (m)."""
-    gyration: float = field(init=False, compare=False)
+    gyration: float = field(init=False, compare=False, repr=False)
     """Mass moment of inertia about the centroid for 1 kg (m^2)."""
 
     def __init__(self, vertices: Iterable[Any]) -> None:
@@ -53,6 +53,10 @@ class Concave:
         object.__setattr__(self, "area", area)
         object.__setattr__(self, "centroid", centroid)
         object.__setattr__(self, "gyration", gyration(local))
+
+    def __str__(self) -> str:
+        """Say how many vertices it has; `repr` lists them."""
+        return f"Concave of {len(self.vertices)} vertices"
 
     @cached_property
     def pieces(self) -> tuple[Piece, ...]:

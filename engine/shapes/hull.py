@@ -28,7 +28,10 @@ def corners_in_order(given: list[Vector]) -> list[Vector]:
     if len(hull) < 3:
         raise ValueError("a polygon must have an area, but its vertices lie on one line")
     for point in _points_inside(points, lower, upper[::-1], flat):
-        raise ValueError(f"a polygon must be convex, but {tuple(point)} is no corner of it")
+        raise ValueError(
+            f"a polygon must be convex, but {tuple(point)} is no corner of it: "
+            "Polygon.concave takes others"
+        )
     places = {corner: i for i, corner in enumerate(hull)}
     first = next(places[point] for point in given if point in places)
     return hull[first:] + hull[:first]

@@ -32,11 +32,11 @@ class Polygon:
     """Counter-clockwise, about the centroid (m); of the polygon before it is rounded."""
     rounding: float = 0.0
     """(m)"""
-    area: float = field(init=False, compare=False)
+    area: float = field(init=False, compare=False, repr=False)
     """(m^2)"""
-    centroid: Vector = field(init=False, compare=False)
+    centroid: Vector = field(init=False, compare=False, repr=False)
     """Where the centroid lay in the coordinates that were given (m)."""
-    gyration: float = field(init=False, compare=False)
+    gyration: float = field(init=False, compare=False, repr=False)
     """Mass moment of inertia about the centroid for 1 kg (m^2)."""
 
     def __init__(self, vertices: Iterable[Any], rounding: float = 0.0) -> None:
@@ -53,6 +53,10 @@ class Polygon:
         object.__setattr__(self, "area", area)
         object.__setattr__(self, "centroid", centroid)
         object.__setattr__(self, "gyration", gyration(local) if radius == 0.0 else own)
+
+    def __str__(self) -> str:
+        """Say how many vertices it has; `repr` lists them."""
+        return f"Polygon of {len(self.vertices)} vertices"
 
     @classmethod
     def regular(cls, sides: int, radius: float, rounding: float = 0.0) -> "Polygon":

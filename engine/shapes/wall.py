@@ -38,6 +38,10 @@ class Wall:
         object.__setattr__(self, "end", last)
         object.__setattr__(self, "one_sided", validate.truth(one_sided, "one_sided"))
 
+    def __str__(self) -> str:
+        """Say from where to where it goes."""
+        return f"Wall from {tuple(self.start)} to {tuple(self.end)}"
+
     @property
     def normal(self) -> Vector:
         """Unit vector to the positive side."""
@@ -84,6 +88,10 @@ class Chain:
         object.__setattr__(self, "points", tuple(kept))
         object.__setattr__(self, "loop", loop)
         object.__setattr__(self, "one_sided", validate.truth(one_sided, "one_sided"))
+
+    def __str__(self) -> str:
+        """Say how many points it has; `repr` lists them."""
+        return f"Chain of {len(self.points)} points"
 
     @property
     def middle(self) -> Vector:

@@ -113,7 +113,7 @@ def test_wrong_joining_is_refused_in_one_sentence() -> None:
 def test_a_joint_says_what_it_is_and_can_be_changed() -> None:
     world, a, b = two()
     pin = world.join(a, b, Pin(at=(0.5, 0)))
-    assert repr(pin) == "<Joint 1, a to b>"
+    assert repr(pin) == "<Joint 1, a to b: Pin>"
     assert (pin.kind, pin.limits, pin.motor_speed, pin.broken) == (Pin, None, None, False)
     assert pin.anchors == ((0.5, 0), (0.5, 0))
     pin.limits = (-1, 2)

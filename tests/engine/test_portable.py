@@ -15,7 +15,8 @@ from hypothesis import strategies as st
 
 from engine import Chain, Circle, Force, LinearDrag, Particle, Polygon, Torque, Wall, World
 from engine.plain import Decoder, encode
-from engine.portable import AT_MOST, COUNTS, DERIVED, KINDS, ROWS_OF, TABLES
+from engine.portable import AT_MOST, COUNTS, DERIVED, ROWS_OF, TABLES
+from engine.saving import KINDS
 from engine.tables import allocate, arrays
 from engine.vector import Vector
 

@@ -206,6 +206,7 @@ def test_checking_loads_only_what_the_file_needs(push, tmp_path):
         "engine.manifolds",
         "engine.plain",
         "engine.portable",
+        "engine.saving",
         "engine.queries",
         "engine.shapes.division",
         "engine.shapes.seams",
