@@ -141,6 +141,9 @@ DERIVED = (
 TURNS = tuple(name for name in Books._fields if name.endswith("_turn"))
 """Columns of `Books` that worlds which were saved before there were any lack, all of them."""
 
+HELD = ("pace", "asked", "paced")
+"""Columns of `State` that worlds which were saved before paces were held lack, all of them."""
+
 MOST = sys.float_info.max
 """Largest number of all."""
 
@@ -224,6 +227,8 @@ def check_rows(tables: dict[str, Any]) -> None:
         raise ValueError(
             "a saved world must have one row of state and books, and its times not negative"
         )
+    if not all(0.0 <= getattr(state, name)[0] <= MOST for name in HELD):
+        raise ValueError("the pace of joints in a saved world must be finite and not negative")
     for kind, ids in (("body", bodies.id), ("push", tables["pushes"].id)):
         following = getattr(state, f"next_{kind}")[0]
         if len(ids) and ids[-1] >= following:

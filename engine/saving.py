@@ -19,7 +19,7 @@ from engine.joints import KINDS as JOINTS
 from engine.ledger import totals
 from engine.materials import material_name
 from engine.plain import Decoder, Functions, encode, name_of
-from engine.portable import DERIVED, TABLES, TURNS, check_rows, number, read_table
+from engine.portable import DERIVED, HELD, TABLES, TURNS, check_rows, number, read_table
 from engine.settings import INTEGRATORS, MOST_SUBSTEPS, Laws, Sleep, geometric_mean, larger
 from engine.shapes import Shape
 from engine.snapshot import Snapshot
@@ -125,6 +125,8 @@ def refill(world: "World", data: dict[str, Any], functions: Functions) -> None:
     world.laws = _laws(data["laws"])
     validate.keys(data["tables"], tuple(TABLES), "the tables of a saved world")
     saved = data["tables"]
+    if isinstance(saved["state"], dict) and not any(name in saved["state"] for name in HELD):
+        saved = saved | {"state": saved["state"] | {name: [0.0] for name in HELD}}
     begins = isinstance(saved["books"], dict) and not any(name in saved["books"] for name in TURNS)
     if begins:
         saved = saved | {"books": saved["books"] | {name: [0.0] for name in TURNS}}

@@ -65,6 +65,7 @@ def digest(t: Tables, time: float) -> str:
     columns += ignored_columns(t)
     if t.counts.joints[0]:
         columns += [column[: t.counts.joints[0]] for column in arrays(t.joints)]
+        columns += [np.asarray(column) for column in (t.state.pace, t.state.asked, t.state.paced)]
     columns += [column[: t.counts.materials[0]] for column in arrays(t.materials)]
     for column in columns:
         kind = "<i8" if column.dtype.kind == "i" else "<f8"

@@ -82,7 +82,7 @@ def step(t: Tables, laws: Laws, dt: float) -> int:
         sense_at_end(t, t.counts.pairs[0])
     if t.books.forced[0] == 1:
         book_forces(t, count, laws, dt)
-    end(t, count, t.counts.pairs[0], laws.integrator, dt)
+    end(t, count, t.counts.pairs[0], laws.integrator, dt, dt / laws.substeps)
     straight = progress.straight[0] == 1  # where velocities last, `look_ahead` knew enough
     if not straight and runaways(t.bodies, count, dt) > 0 and has_run_away(t, dt):
         return LOST

@@ -41,6 +41,7 @@ from engine.linkage.pace import (
     LONGEST,
     LONGEST_WITH_IMPACTS,
     SHORTEST,
+    let_pace_go,
     part_for_joints,
 )
 from engine.linkage.positions import retract
@@ -90,7 +91,7 @@ def begin(t: Tables, count: int, pair_count: int, shortest: float) -> None:
             bodies.spin[row] += bodies.lead_spin[row]
 
 
-def end(t: Tables, count: int, pair_count: int, integrator: int, dt: float) -> None:
+def end(t: Tables, count: int, pair_count: int, integrator: int, dt: float, substep: float) -> None:
     """End a tick: take the lead back.
 
     The lead of the two Euler methods is a property of a flight, not of a tick: one that ends in
@@ -103,6 +104,7 @@ def end(t: Tables, count: int, pair_count: int, integrator: int, dt: float) -> N
         if struck[pair] < -dt:
             t.pairs.bounces[pair] = 0
     mean_forces(t, dt)
+    let_pace_go(t, dt, substep)
     if t.books.forced[0] == 0:
         return
     lead = lead_of_euler(integrator, dt)

@@ -3,6 +3,11 @@
 A pendulum that turns by a through a part gains a^2/12 of its phase, on the mean over a swing; one
 that hardly swings, at the circular frequency w, (w h)^2/24. Trees of hinges that turn slowly take
 longer parts than the substeps of a tick, all joints shorter ones where something turns fast.
+
+In parts of one length RATTLE keeps, to all times, an energy that differs from the true one by the
+square of that length; where lengths follow speeds it does not, and energy drifts (Hairer, Lubich &
+Wanner, *Geometric Numerical Integration*, 2006, IX and VIII.1). So what trees of few limbs ask for
+is held: their parts are as short as the fastest motion of the last seconds wants them.
 """
 
 import math
@@ -47,6 +52,26 @@ MOST_TURN = 0.25
 SHORTEST = 1.0 / 32.0
 """Share of a substep that a part has at least."""
 
+FEW = 12
+"""Trees of no more limbs hold their pace. Longer chains whip now and then, for milliseconds: held,
+that would cost several times as much."""
+
+HELD = 20.0
+"""How long a pace is held (s): longer than what swings fast, now and then, is slow."""
+
+HELD_SNAP = 0.2
+"""By so much the fastest body of a tree that holds its pace turns in a part (rad),"""
+
+HELD_LASH = 0.1
+"""and its bodies as their root mean square weighed by their energies: more than where parts follow
+speeds, as errors that do not add up may be larger."""
+
+SPARE = 1.25
+"""A pace is held on if one this many times less would do: else it would change to and fro."""
+
+ROUNDING = 1e-6
+"""Parts of a tick are as many as this much less would ask for."""
+
 
 def part_for_joints(t: Tables, substep: float, left: float, resting: int, longest: float) -> float:
     """Length of the next part (s), of a tick that still lasts for `left` (s), `longest` substeps at
@@ -54,29 +79,55 @@ def part_for_joints(t: Tables, substep: float, left: float, resting: int, longes
 
     A substep at most while anything but hinges of trees acts.
     """
-    fastest = 0.0
+    alone = t.braces.sizes[0] == 0 and resting == 0
+    few, many = count_trees(t)
+    held = 0.0
+    swinging = lashing = whipping = waving = 0.0
+    if few > 0:
+        swinging, lashing, whipping, waving = paces(t, True)
+        if alone:
+            held = hold_pace(t, substep, swinging, lashing, whipping, waving)
+            whipping = waving = 0.0
+        swinging = lashing = 0.0
+    if many > 0:
+        swinging, lashing, whip, wave = paces(t, False)
+        whipping = whip if whip > whipping else whipping
+        waving = wave if wave > waving else waving
     for node in range(1, t.braces.sizes[1]):
         spin = t.bodies.spin[t.nodes.body[node]]
-        if spin * spin > fastest:
-            fastest = spin * spin
-    swinging, lashing, whipping, waving = paces(t)
-    if whipping > fastest:
-        fastest = whipping
-    fastest = math.sqrt(fastest)
-    waving = math.sqrt(waving) / WAVE
-    if fastest / MOST_TURN > waving:
-        waving = fastest / MOST_TURN
-    if t.braces.sizes[0] == 0 and resting == 0:
+        if spin > whipping or -spin > whipping:
+            whipping = abs(spin)
+    if whipping / MOST_TURN > waving:
+        waving = whipping / MOST_TURN
+    if alone:
         if lashing / LASH > waving:
             waving = lashing / LASH
-        if fastest / SNAP > waving:
-            waving = fastest / SNAP
+        if whipping / SNAP > waving:
+            waving = whipping / SNAP
+    part = part_at(substep, left, longest, alone, waving, swinging, whipping)
+    if held * part > 1.0 + ROUNDING:
+        part = left / math.ceil(held * left - ROUNDING)
+    return part
+
+
+def part_at(
+    substep: float,
+    left: float,
+    longest: float,
+    alone: bool,
+    waving: float,
+    swinging: float,
+    whipping: float,
+) -> float:
+    """Length of a part (s) at a pace that must be (1/s), in spite of substeps, another that is
+    wanted, and the fastest spin; see `part_for_joints`.
+    """
     if waving * substep > 1.0:
         return 1.0 / waving if waving * substep * SHORTEST < 1.0 else substep * SHORTEST
-    if t.braces.sizes[0] > 0 or resting > 0:
+    if not alone:
         return substep
     parts = left / (longest * substep)
-    for pace in (swinging, fastest / WHIP, waving):
+    for pace in (swinging, whipping / WHIP, waving):
         if pace * left > parts:
             parts = pace * left
     if not parts * substep < left:
@@ -84,9 +135,78 @@ def part_for_joints(t: Tables, substep: float, left: float, resting: int, longes
     return left / math.ceil(parts - 1e-9)
 
 
-def paces(t: Tables) -> tuple[float, float, float, float]:
-    """How many parts a second the swinging of the trees asks for; how fast their energy turns; the
-    square of their fastest spin; and their fastest wave, squared (1/s).
+def count_trees(t: Tables) -> tuple[int, int]:
+    """How many trees that act have few limbs, and how many have more; forget how they turn."""
+    trees = t.trees
+    few = 0
+    for at in range(t.bones.sizes[10]):
+        tree = trees.acting[at]
+        trees.worst[tree] = trees.lively[tree] = trees.lash[tree] = 0.0
+        few += 1 if trees.limbs[tree] <= FEW else 0
+    return few, t.bones.sizes[10] - few
+
+
+def hold_pace(
+    t: Tables, substep: float, swinging: float, lashing: float, whipping: float, waving: float
+) -> float:
+    """How many parts a second trees of few limbs take: as many as they have asked for lately.
+
+    Args:
+        t: the tables.
+        substep: its length (s).
+        swinging: parts a second that their swinging asks for,
+        lashing: how fast their energy turns,
+        whipping: their fastest spin (1/s),
+        waving: and parts a second that waves ask for.
+    """
+    state = t.state
+    pace = waving
+    if lashing / HELD_LASH > pace:
+        pace = lashing / HELD_LASH
+    if whipping / HELD_SNAP > pace:
+        pace = whipping / HELD_SNAP
+    if pace * substep < 1.0:
+        if whipping / WHIP > swinging:
+            swinging = whipping / WHIP
+        if swinging > pace:
+            pace = swinging if swinging * substep < 1.0 else 1.0 / substep
+    if pace > state.asked[0]:
+        state.asked[0] = pace
+    if pace > state.pace[0] * (1.0 + ROUNDING):
+        state.pace[0] = whole_pace(pace, substep)
+        state.paced[0] = 0.0
+    return state.pace[0]
+
+
+def whole_pace(pace: float, substep: float) -> float:
+    """The next higher of the few paces (1/s) that are held: so that they change seldom."""
+    parts = 1.0
+    if pace * substep > 1.0:
+        while parts < pace * substep and parts * SHORTEST < 1.0:
+            parts *= 2.0
+        return parts / substep
+    while parts < LONGEST and (parts + 1.0) * pace * substep <= 1.0:
+        parts += 1.0
+    return 1.0 / (parts * substep)
+
+
+def let_pace_go(t: Tables, dt: float, substep: float) -> None:
+    """At the end of a tick (s), hold a pace no longer that has not been needed for long."""
+    state = t.state
+    if state.pace[0] == 0.0:
+        return
+    state.paced[0] += dt
+    if state.paced[0] > HELD:
+        enough = whole_pace(SPARE * state.asked[0], substep)
+        if enough < state.pace[0]:
+            state.pace[0] = enough
+        state.paced[0] = state.asked[0] = 0.0
+
+
+def paces(t: Tables, few: bool) -> tuple[float, float, float, float]:
+    """How many parts a second the swinging of trees with `few` limbs, or of the others, asks for;
+    how fast their energy turns; their fastest spin; and the pace that their fastest wave asks for
+    (1/s).
 
     Bodies that turn about the hinge in their centre need no more.
     """
@@ -94,14 +214,14 @@ def paces(t: Tables) -> tuple[float, float, float, float]:
     bodies = t.bodies
     limbs = t.limbs
     trees = t.trees
-    for at in range(bones.sizes[10]):
-        tree = trees.acting[at]
-        trees.worst[tree] = trees.lively[tree] = trees.lash[tree] = 0.0
     fastest = 0.0
     slowest = 0.0
     waving = 0.0
     for at in range(bones.sizes[8]):
         k = bones.acting[at]
+        tree = limbs.tree[k]
+        if (trees.limbs[tree] <= FEW) != few:
+            continue
         parent = limbs.parent[k]
         spin = 0.0
         square = 0.0
@@ -116,7 +236,6 @@ def paces(t: Tables) -> tuple[float, float, float, float]:
             spin = bodies.spin[bones.body[parent]]
             if spin * spin > square:
                 square = spin * spin
-        tree = limbs.tree[k]
         row = bones.body[k]
         own = energy(t, row, bodies.vx[row], bodies.vy[row], bodies.spin[row])
         trees.worst[tree] += square
@@ -130,6 +249,8 @@ def paces(t: Tables) -> tuple[float, float, float, float]:
     lashing = 0.0
     for at in range(bones.sizes[10]):
         tree = trees.acting[at]
+        if (trees.limbs[tree] <= FEW) != few:
+            continue
         limbs_of = float(trees.limbs[tree])
         many = limbs_of if limbs_of < MANY else MANY
         pace = math.sqrt(trees.worst[tree] / (limbs_of * math.sqrt(many))) / SWING
@@ -137,7 +258,8 @@ def paces(t: Tables) -> tuple[float, float, float, float]:
             slowest = pace
         if trees.lash[tree] > lashing * trees.lively[tree]:
             lashing = trees.lash[tree] / trees.lively[tree]
-    return slowest, math.sqrt(lashing), fastest, 2.0 * math.sqrt(waving)
+    fastest = math.sqrt(fastest)
+    return slowest, math.sqrt(lashing), fastest, math.sqrt(2.0 * math.sqrt(waving)) / WAVE
 
 
 def hanging_pace(t: Tables, k: int) -> float:

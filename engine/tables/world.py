@@ -79,6 +79,12 @@ class State(NamedTuple):
     """2 once bodies overlap deeply in this tick, 1 if they did in the last; see `parting`."""
     restless: Ints
     """1 if a crowd rests in the present part and did not become calm at once; see `contacts`."""
+    pace: Floats
+    """Parts a second that trees of few limbs take, as they are held to; see `linkage.pace`."""
+    asked: Floats
+    """The most that they have asked for (1/s) since"""
+    paced: Floats
+    """so many seconds ago, when it was last looked at."""
 
 
 class Books(NamedTuple):
