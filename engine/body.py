@@ -450,6 +450,12 @@ class Body:
         at = Vector(0.0, 0.0) if self.is_wall else self.position
         return rotated((world.x - at.x, world.y - at.y), -self.angle)
 
+    def velocity_at(self, point: Any) -> Vector:
+        """With which the body moves at a point (m, world): v + w x r (m/s)."""
+        at, centre = validate.vector(point, "point"), self.position
+        (vx, vy), spin = self.velocity, self.spin
+        return Vector(vx - spin * (at.y - centre.y), vy + spin * (at.x - centre.x))
+
     @noted_only
     def exert(self, effort: Force | Torque, duration: float | None = None, at: Any = None) -> Push:
         """Push or turn the body from the next tick on; return the push.

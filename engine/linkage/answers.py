@@ -11,6 +11,7 @@ from engine.linkage.limb_impacts import (
     answer_of_tree,
     commit_tree,
     place_tree,
+    pose_in_flight,
     tree_at,
 )
 from engine.linkage.moments import book_braces
@@ -152,19 +153,8 @@ def changed(t: Tables, node: int) -> bool:
 
 def place_in_flight(t: Tables, time: float) -> None:
     """Place the nodes where their bodies are at `time` of the part (s)."""
-    nodes = t.nodes
-    bodies = t.bodies
     for node in range(1, t.braces.sizes[1]):
-        row = nodes.body[node]
-        passed = time - bodies.clock[row]
-        half = passed * passed / 2.0
-        x = bodies.x[row] + bodies.vx[row] * passed
-        y = bodies.y[row] + bodies.vy[row] * passed
-        angle = bodies.angle[row] + bodies.spin[row] * passed
-        if bodies.inverse_mass[row] > 0.0:
-            x += bodies.path_x[row] * half
-            y += bodies.path_y[row] * half
-            angle += bodies.path_spin[row] * half
+        x, y, angle = pose_in_flight(t.bodies, t.nodes.body[node], time)
         place_node(t, node, x, y, angle)
 
 

@@ -13,7 +13,7 @@ from engine.linkage.limbs import (
     solve_tree,
 )
 from engine.linkage.moments import book_tree
-from engine.tables import Tables
+from engine.tables import Bodies, Tables
 
 
 def tree_at(t: Tables, row: int) -> int:
@@ -41,23 +41,28 @@ def place_tree(t: Tables, tree: int, time: float) -> None:
 
 def place_in_flight(t: Tables, bone: int, time: float) -> None:
     """Place a bone where its body is at `time` of the part (s); it bears nothing else."""
-    bodies = t.bodies
     row = t.bones.body[bone]
     if row < 0:
         place_bone(t, bone, 0.0, 0.0, 0.0)
     else:
-        passed = time - bodies.clock[row]
-        half = passed * passed / 2.0
-        x = bodies.x[row] + bodies.vx[row] * passed
-        y = bodies.y[row] + bodies.vy[row] * passed
-        angle = bodies.angle[row] + bodies.spin[row] * passed
-        if bodies.inverse_mass[row] > 0.0:
-            x += bodies.path_x[row] * half
-            y += bodies.path_y[row] * half
-            angle += bodies.path_spin[row] * half
+        x, y, angle = pose_in_flight(t.bodies, row, time)
         place_bone(t, bone, x, y, angle)
     load_alone(t, bone)
     t.bones.sway[bone] = 0.0
+
+
+def pose_in_flight(bodies: Bodies, row: int, time: float) -> tuple[float, float, float]:
+    """Where a body is (m, m, rad) at `time` of the part (s)."""
+    passed = time - bodies.clock[row]
+    half = passed * passed / 2.0
+    x = bodies.x[row] + bodies.vx[row] * passed
+    y = bodies.y[row] + bodies.vy[row] * passed
+    angle = bodies.angle[row] + bodies.spin[row] * passed
+    if bodies.inverse_mass[row] > 0.0:
+        x += bodies.path_x[row] * half
+        y += bodies.path_y[row] * half
+        angle += bodies.path_spin[row] * half
+    return x, y, angle
 
 
 def jolt_tree(t: Tables, tree: int) -> None:

@@ -124,6 +124,23 @@ def test_impulse_at_a_point() -> None:
     assert body.spin == pytest.approx(2)
 
 
+def test_every_point_of_a_body_moves_as_its_place_says() -> None:
+    """v + w x r (rigid bodies, any textbook); and where it will be a moment later."""
+    world = World()
+    rod = world.add(Polygon.box(2, 0.1), position=(3, 1), velocity=(0.5, -1), spin=2)
+    assert rod.velocity_at((4, 1)) == (0.5, 1.0)
+    assert rod.velocity_at((3, 2)) == (-1.5, -1.0)
+    tip = rod.to_world((1, 0))
+    speed = rod.velocity_at(tip)
+    world.step(1e-6)
+    moved = rod.to_world((1, 0))
+    assert (moved.x - tip.x) / 1e-6 == pytest.approx(speed.x, abs=1e-5)
+    assert (moved.y - tip.y) / 1e-6 == pytest.approx(speed.y, abs=1e-5)
+    assert world.add(Wall((0, 0), (1, 0))).velocity_at((1, 0)) == (0, 0)
+    with pytest.raises(TypeError, match="point must be a pair of numbers, not 3"):
+        rod.velocity_at(3)
+
+
 def test_mass_scales_inertia() -> None:
     body = World().add(Polygon.box(1, 1), inertia=3.0)
     body.mass = 2.0
