@@ -1,4 +1,8 @@
-"""What joins two bodies, or a body and a fixed point: the kinds of joints."""
+"""What joins two bodies, or a body and a fixed point: the kinds of joints.
+
+Points are given in the world (m), as things stand at the moment of joining; from then on they move
+with their bodies. Each kind raises TypeError or ValueError, in one sentence, for what it is not.
+"""
 
 import math
 from collections.abc import Callable
@@ -31,28 +35,43 @@ class _Line:
 
 @dataclass(frozen=True)
 class Distance(_Line):
-    """A massless rod: keeps the distance of two points.
+    """A massless rod: keeps two points at a distance.
 
-    Anchors are points of the world (m) at the moment of joining, None the centre of a body; from
-    then on they move with their bodies. Length (m), None: as they are.
+    Args:
+        anchor_a: point of a (m, world); None: its centre.
+        anchor_b: the same of b.
+        length: (m); None: as far as the two points are apart.
     """
 
 
 @dataclass(frozen=True)
 class Rope(_Line):
-    """A rope without mass: two points are never further apart than its length (m)."""
+    """A rope without mass: two points are never further apart than its length.
+
+    Args:
+        anchor_a: point of a (m, world); None: its centre.
+        anchor_b: the same of b.
+        length: (m); None: as far as the two points are apart.
+    """
 
 
 @dataclass(frozen=True)
 class Spring:
-    """A damped spring: pulls with stiffness (N/m) times extension, brakes with damping (N s/m)."""
+    """A damped spring: pulls with k times its extension, brakes with c times its rate.
+
+    Args:
+        stiffness: k (N/m).
+        damping: c (N s/m).
+        anchor_a: point of a (m, world); None: its centre.
+        anchor_b: the same of b.
+        length: at rest (m); None: as far as the two points are apart.
+    """
 
     stiffness: float
     damping: float = 0.0
     anchor_a: Any = None
     anchor_b: Any = None
     length: float | None = None
-    """At rest (m); None: as it is."""
 
     def __post_init__(self) -> None:
         """Refuse what is no point or no number."""
@@ -67,8 +86,13 @@ class Spring:
 class Pin:
     """A hinge: the bodies turn about a common point.
 
-    Limits (rad) are of the angle of b less that of a, zero at the moment of joining. A motor turns
-    b against a at `motor_speed` (rad/s) with at most `max_torque` (N m).
+    Angles are those of b less those of a, zero at the moment of joining.
+
+    Args:
+        at: the common point (m, world).
+        limits: least and greatest angle (rad); None: none.
+        motor_speed: with which a motor turns b against a (rad/s); 0: a brake; None: no motor.
+        max_torque: of the motor (N m).
     """
 
     at: Any
@@ -84,7 +108,11 @@ class Pin:
 
 @dataclass(frozen=True)
 class Weld:
-    """Makes two bodies one; without a point, the force acts halfway between their centres."""
+    """Makes two bodies one.
+
+    Args:
+        at: where the force acts (m, world); None: halfway between their centres.
+    """
 
     at: Any = None
 
@@ -97,8 +125,13 @@ class Weld:
 class Slider:
     """A rail: b slides along an axis of a and does not turn against it.
 
-    Limits (m) are of the way along the axis, zero at the moment of joining. A motor drives b along
-    the axis at `motor_speed` (m/s) with at most `max_force` (N).
+    Args:
+        axis: direction of the rail (world); its length does not matter.
+        at: the point of b that stays on the rail (m, world); None: the centre of b.
+        limits: least and greatest way along the axis (m), zero at the moment of joining; None:
+            none.
+        motor_speed: with which a motor drives b along the axis (m/s); 0: a brake; None: no motor.
+        max_force: of the motor (N).
     """
 
     axis: Any
@@ -110,20 +143,28 @@ class Slider:
     def __post_init__(self) -> None:
         """Refuse what is no axis, no point, no limits or no motor."""
         axis = validate.vector(self.axis, "axis")
-        length = math.hypot(axis.x, axis.y)
-        if not 0.0 < length < math.inf:
+        largest = max(abs(axis.x), abs(axis.y))
+        if largest == 0.0:
             raise ValueError(f"axis must have a direction, not {tuple(axis)}")
-        object.__setattr__(self, "axis", Vector(axis.x / length, axis.y / length))
+        way = Vector(axis.x / largest, axis.y / largest)  # so that no square is out of range
+        object.__setattr__(self, "axis", way.normalized())
         _check(self, "at", validate.vector)
         _check_coordinate(self, "max_force")
 
 
 @dataclass(frozen=True)
 class Pulley:
-    """A string over two fixed points of the world (m) that pulls on both bodies.
+    """A string over two fixed points of the world that pulls on both bodies.
 
-    It keeps |anchor_a - over_a| + ratio |anchor_b - over_b| from becoming longer than `length`; a
-    block and tackle that halves the force on a has the ratio 2.
+    It keeps |anchor_a - over_a| + ratio |anchor_b - over_b| from becoming longer than `length`.
+
+    Args:
+        over_a: fixed point over which a hangs (m, world).
+        over_b: the same of b.
+        anchor_a: point of a (m, world); None: its centre.
+        anchor_b: the same of b.
+        ratio: 2 for a block and tackle that halves the force on a.
+        length: (m); None: as long as it is at the moment of joining.
     """
 
     over_a: Any

@@ -52,12 +52,15 @@ class Particle(_Round):
 
 @dataclass(frozen=True)
 class Capsule:
-    """A stadium of uniform density: a rectangle between two half discs, along the x axis."""
+    """A stadium of uniform density: a rectangle between two half discs, along the x axis.
+
+    Args:
+        length: of the straight part (m): from the centre of one half disc to that of the other.
+        radius: of the half discs (m): the capsule is length + 2 radius long and 2 radius wide.
+    """
 
     length: float
-    """Of the straight part (m): from the centre of one half disc to that of the other."""
     radius: float
-    """Of the half discs (m): the capsule is length + 2 radius long and 2 radius wide."""
 
     def __post_init__(self) -> None:
         """Refuse what is no positive number."""

@@ -32,7 +32,7 @@ READS = {
         "body", "row", "is_acting", "ignores", "joint",
         "query_point", "query_box", "cast_ray", "cast_ray_through", "cast_shape", "nearest",
     },
-    Body: {"to_world", "to_local", "name", "on_move", "on_collision"},
+    Body: {"to_world", "to_local", "velocity_at", "name", "on_move", "on_collision"},
     Push: set(),
     Joint: {"on_break"},
 }  # fmt: skip
