@@ -73,6 +73,7 @@ SOURCES = (
     "linkage.limb_sweeps",
     "linkage.limb_velocities",
     "linkage.limbs",
+    "linkage.loaded",
     "linkage.modes",
     "linkage.moments",
     "linkage.pace",

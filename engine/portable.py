@@ -130,6 +130,7 @@ DERIVED = (
     "bodies.from_absement_y",
     "pairs.queue",
     "pairs.resting",
+    "pairs.bears",
     "pairs.grouped",
     "pairs.lane",
     "pairs.waiting",

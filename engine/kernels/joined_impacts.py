@@ -15,12 +15,13 @@ from engine.kernels.impulses import (
     split,
 )
 from engine.kernels.rubbing import belt_speed
-from engine.linkage.answers import Changes, amends, answer, prepare_answers, react
+from engine.linkage.answers import Changes, amends, answer, lightness, prepare_answers, react
 from engine.tables import Tables
 
 YIELDS = 0.05
-"""Share of the speed of free bodies that joined ones change by at least, if they yield at all: the
-impulse that is lacking is found by division by it, and bodies that are jammed hardly move."""
+"""Share of the speed of free bodies that joined ones change by at least, if they yield at all, and
+nothing that is heavier is joined to them (see `lightness`): the impulse that is lacking is found by
+division by it, and bodies that are jammed hardly move."""
 
 JAMMED = 0.01
 """Share by which joints must let two points be stopped at once: to within a part, velocities are
@@ -80,9 +81,10 @@ def exchange_with_joints(
     ny = t.touch.normal_y[0]
     speed = approach_allowed(t, pair, one, amiss)
     free = response(t, pair, x, y, nx, ny)
+    least = YIELDS * lightness(t, a, b)
     yields = closing(t, pair, x, y, nx, ny, push(t, pair, x, y, nx, ny))
     jammed = t.bodies.joined[a] == t.bodies.joined[b] or t.bodies.inverse_mass[a] == 0.0
-    if yields < YIELDS * free and (jammed or t.bodies.inverse_mass[b] == 0.0):
+    if yields < least * free and (jammed or t.bodies.inverse_mass[b] == 0.0):
         return  # they cannot approach: the joints will stop at the end of the part what does so
     total = bounce * speed / yields
     if other >= 0:
@@ -107,7 +109,7 @@ def exchange_with_joints(
     yields = closing(t, pair, x, y, -ny, nx, by)
     along = 0.0
     wedged = closing(t, pair, x, y, nx, ny, by)
-    if yields > YIELDS * free and abs(wedged) < WEDGED * pressing:
+    if yields > least * free and abs(wedged) < WEDGED * pressing:
         along = -sliding / yields
     most = t.pairs.friction[pair] * total
     if along > most:
@@ -177,7 +179,9 @@ def share_with_joints(
     by = push(t, pair, x, y, nx, ny)
     k22 = closing(t, pair, x, y, nx, ny, by)
     v1 = change_of(approach_allowed(t, pair, one, amiss), bounce)
-    if k22 < YIELDS * response(t, pair, x, y, nx, ny):
+    if k22 < YIELDS * lightness(t, t.pairs.a[pair], t.pairs.b[pair]) * response(
+        t, pair, x, y, nx, ny
+    ):
         return 0.0, v1 / k11  # joints hold the other
     k12 = closing(t, pair, t.touch.x[one], t.touch.y[one], nx, ny, by)
     v2 = change_of(approach_allowed(t, pair, other, amiss), bounce)

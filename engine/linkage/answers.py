@@ -10,13 +10,14 @@ from engine.linkage.jolts import jolt_at
 from engine.linkage.limb_impacts import (
     answer_of_tree,
     commit_tree,
+    heaviest_of_tree,
     place_tree,
     pose_in_flight,
     tree_at,
 )
 from engine.linkage.moments import book_braces
 from engine.linkage.skyline import solve
-from engine.linkage.tally import has_braces
+from engine.linkage.tally import find_heaviest, has_braces, node_of
 from engine.linkage.velocities import MOST_CHANGES, begin_instant, find_rates, renew
 from engine.tables import Tables
 
@@ -34,6 +35,7 @@ def prepare_answers(t: Tables, a: int, b: int, time: float) -> None:
         place_tree(t, tree_b, time)
     if has_braces(t, a) or has_braces(t, b):
         t.braces.sizes[5] = 0
+        find_heaviest(t)
         place_in_flight(t, time)
         begin_instant(t)
         renew(t)
@@ -134,6 +136,25 @@ def react(t: Tables, a: int, b: int, time: float, change: Changes) -> None:
     book_braces(t, time, True)
 
 
+def lightness(t: Tables, a: int, b: int) -> float:
+    """Mass of a or b, as a share of the heaviest body that is joined to it; the smaller of the two,
+    0..1. Everything has been placed.
+    """
+    of_a = share_of_heaviest(t, a)
+    of_b = share_of_heaviest(t, b)
+    return of_a if of_a < of_b else of_b
+
+
+def share_of_heaviest(t: Tables, row: int) -> float:
+    """Mass of one of them as such a share; 1 if it is not joined."""
+    tree = tree_at(t, row)
+    if tree >= 0:
+        return t.bodies.mass[row] / heaviest_of_tree(t, tree)
+    if has_braces(t, row):
+        return t.bodies.mass[row] / t.structures.heaviest[t.nodes.structure[node_of(t, row)]]
+    return 1.0
+
+
 def still(t: Tables, node: int) -> None:
     """Let a node not move."""
     nodes = t.nodes
@@ -179,11 +200,3 @@ def note_change(t: Tables, row: int, vx: float, vy: float, spin: float) -> int:
         nodes.vy[node] = vy
         nodes.spin[node] = spin
     return node
-
-
-def node_of(t: Tables, row: int) -> int:
-    """The node of a body; 0, which never moves, if it has none."""
-    for node in range(1, t.braces.sizes[1]):
-        if t.nodes.body[node] == row:
-            return node
-    return 0

@@ -39,6 +39,18 @@ def place_tree(t: Tables, tree: int, time: float) -> None:
         bear(t, k, limbs.parent[k])
 
 
+def heaviest_of_tree(t: Tables, tree: int) -> float:
+    """Mass of the heaviest body of a tree (kg)."""
+    root = t.trees.root[tree]
+    heaviest = t.bones.mass[root] if root >= 0 else 0.0
+    first = t.trees.first[tree]
+    for at in range(first, first + t.trees.limbs[tree]):
+        mass = t.bones.mass[t.limbs.member[at]]
+        if mass > heaviest:
+            heaviest = mass
+    return heaviest
+
+
 def place_in_flight(t: Tables, bone: int, time: float) -> None:
     """Place a bone where its body is at `time` of the part (s); it bears nothing else."""
     row = t.bones.body[bone]

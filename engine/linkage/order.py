@@ -20,6 +20,7 @@ from engine.tables import (
     Equations,
     Nodes,
     Profile,
+    Structures,
     Tables,
     allocate,
     views,
@@ -48,14 +49,14 @@ def put_in_order(t: Tables, joints: int, row_of: dict[int, int]) -> Tables:
     for body in joined:
         t.bodies.joined[body] = 1
     trees: list[Tree] = []
-    rest: list[Brace] = []
+    rest: list[list[Brace]] = []
     for island in _islands(acting, joined):
         tree = tree_of(len(trees), island, joined, acting)
         if tree is None:
-            rest += island
+            rest.append(island)
         else:
             trees.append(tree)
-    fixed = {body for brace in rest for body in (brace.a, brace.b)} - {WORLD}
+    fixed = {body for island in rest for brace in island for body in (brace.a, brace.b)} - {WORLD}
     node_of = {WORLD: 0} | {body: node + 1 for node, body in enumerate(sorted(fixed))}
     movable = set(joined)
     return _filled(fill_trees(t, trees, movable, row_of), rest, node_of, movable)
@@ -93,8 +94,11 @@ def _walk(start: int, braces: list[Brace], joined: dict[int, list[int]]) -> list
     return found
 
 
-def _filled(t: Tables, order: list[Brace], node_of: dict[int, int], movable: set[int]) -> Tables:
-    """Fill the tables for braces in the order of elimination."""
+def _filled(
+    t: Tables, islands: list[list[Brace]], node_of: dict[int, int], movable: set[int]
+) -> Tables:
+    """Fill the tables for braces in the order of elimination, island by island."""
+    order = [brace for island in islands for brace in island]
     starts = np.concatenate(([0], np.cumsum([brace.rows for brace in order], dtype=np.int64)))
     equations, entries = _profile(order, starts, movable)
     couplings = _couplings(order, starts, np.asarray(equations.base), movable)
@@ -106,20 +110,27 @@ def _filled(t: Tables, order: list[Brace], node_of: dict[int, int], movable: set
     for body, node in node_of.items():
         nodes.body[node] = max(body, 0)
     nodes.cos[0] = 1.0
-    braces = allocate(Braces, max(8, len(order)))
+    structures = allocate(Structures, len(islands) + 1)
+    ends = np.cumsum([0] + [sum(brace.rows for brace in island) for island in islands])
+    for k, island in enumerate(islands):
+        structures.first[k + 1], structures.end[k + 1] = int(ends[k]), int(ends[k + 1])
+        for body in {body for brace in island for body in (brace.a, brace.b)} & movable:
+            nodes.structure[node_of[body]] = k + 1
+    braces = allocate(Braces, max(9, len(order)))
     for k, brace in enumerate(order):
         braces.joint[k], braces.shape[k] = brace.joint, brace.shape
         braces.node_a[k], braces.node_b[k] = node_of[brace.a], node_of[brace.b]
         braces.first[k], braces.rows[k] = int(starts[k]), brace.rows
     sizes = (len(order), len(node_of), rows, len(couplings), entries)
     coordinates = sum(brace.shape in (LINE, STRING) or brace.rows == 3 for brace in order)
-    np.asarray(braces.sizes)[:8] = (*sizes, 0, coordinates, 0)
+    np.asarray(braces.sizes)[:9] = (*sizes, 0, coordinates, 0, 0)
     table = allocate(Couplings, max(1, len(couplings)))
     for k, (at, left, right) in enumerate(couplings):
         table.at[k], table.left[k], table.right[k] = at, left, right
     return t._replace(
         braces=views(braces),
         nodes=views(nodes),
+        structures=views(structures),
         equations=views(equations),
         arms=views(arms),
         couplings=views(table),

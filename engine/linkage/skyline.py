@@ -69,11 +69,15 @@ def factorise(t: Tables) -> None:
 
 def solve(t: Tables) -> None:
     """Replace the right-hand sides in `unknown` by the solution."""
+    solve_between(t, 0, t.braces.sizes[2])
+
+
+def solve_between(t: Tables, start: int, end: int) -> None:
+    """The same for rows from `start` to `end`, which no others share a body with."""
     entry = t.profile.entry
     equations = t.equations
     unknown = equations.unknown
-    count = t.braces.sizes[2]
-    for row in range(count):
+    for row in range(start, end):
         if equations.solved[row] == 0:
             unknown[row] = 0.0
             continue
@@ -82,9 +86,9 @@ def solve(t: Tables) -> None:
         for k in range(equations.first[row], row):
             value -= entry[base + k] * unknown[k]
         unknown[row] = value
-    for row in range(count):
+    for row in range(start, end):
         unknown[row] *= equations.inverse_pivot[row]
-    for row in range(count - 1, -1, -1):
+    for row in range(end - 1, start - 1, -1):
         value = unknown[row]
         if equations.solved[row] != 0 and value != 0.0:
             base = equations.base[row]

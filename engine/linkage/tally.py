@@ -71,3 +71,30 @@ def mean_force(t: Tables, joint: int, dt: float) -> None:
 def has_braces(t: Tables, row: int) -> bool:
     """Whether joints hold a body that are no hinges of a tree."""
     return t.bodies.joined[row] == 1 and t.bodies.bone[row] == 0
+
+
+def node_of(t: Tables, row: int) -> int:
+    """The node of a body; 0, which never moves, if it has none. Nodes stand in the order of their
+    bodies.
+    """
+    first = 1
+    end = t.braces.sizes[1]
+    while first < end:
+        middle = (first + end) // 2
+        if t.nodes.body[middle] < row:
+            first = middle + 1
+        else:
+            end = middle
+    return first if first < t.braces.sizes[1] and t.nodes.body[first] == row else 0
+
+
+def find_heaviest(t: Tables) -> None:
+    """Find the mass of the heaviest body of each structure (kg)."""
+    structures = t.structures
+    for node in range(1, t.braces.sizes[1]):
+        structures.heaviest[t.nodes.structure[node]] = 0.0
+    for node in range(1, t.braces.sizes[1]):
+        structure = t.nodes.structure[node]
+        mass = t.bodies.mass[t.nodes.body[node]]
+        if mass > structures.heaviest[structure]:
+            structures.heaviest[structure] = mass

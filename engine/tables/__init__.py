@@ -31,6 +31,7 @@ from engine.tables.linkage import (
     Joints,
     Nodes,
     Profile,
+    Structures,
 )
 from engine.tables.pairs import (
     FREE,
@@ -102,6 +103,7 @@ __all__ = [
     "Progress",
     "Pushes",
     "State",
+    "Structures",
     "Table",
     "Tables",
     "Touch",

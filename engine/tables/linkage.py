@@ -126,6 +126,8 @@ class Nodes(NamedTuple):
 
     body: Ints
     """Row in `Bodies`."""
+    structure: Ints
+    """Row in `Structures`; 0 if it cannot move."""
     inverse_mass: Floats
     inverse_inertia: Floats
     x: Floats
@@ -154,6 +156,18 @@ class Nodes(NamedTuple):
     """(rad/s)"""
     late: Ints
     """1 if they added to it later in the part, too, as something was struck."""
+
+
+class Structures(NamedTuple):
+    """One row a structure: movable bodies that joints hold together, trees of hinges apart; row 0
+    is for what cannot move.
+    """
+
+    first: Ints
+    """First row in `Equations`, and the row after the last."""
+    end: Ints
+    heaviest: Floats
+    """Mass of its heaviest body (kg)."""
 
 
 class Equations(NamedTuple):

@@ -110,6 +110,9 @@ class Pairs(NamedTuple):
     """Pairs that rest in the present part, in order (a list of its own, not by row)."""
     grouped: Ints
     """The same in the order of groups of joined bodies; see `linkage.limb_groups`."""
+    bears: Ints
+    """Row in `Structures` of what a resting pair bears by a much lighter body, or -1; see
+    `linkage.loaded`."""
     waiting: Ints
     """Pairs that rest steadily through the present tick (a list of its own); see `islands`."""
 
@@ -203,7 +206,9 @@ class Hits(NamedTuple):
 
 
 class Unknowns(NamedTuple):
-    """One row an impulse that is sought, of a point in `Hits`; see `complementarity`."""
+    """One row an impulse that is sought, of a point in `Hits`, or of `contact`; see
+    `complementarity`.
+    """
 
     a: Ints
     """Rows of `Bodies`."""
@@ -214,6 +219,8 @@ class Unknowns(NamedTuple):
     arm_a: Floats
     """Its lever arms about the centres of the two (m)."""
     arm_b: Floats
+    contact: Ints
+    """Row of `Contacts` of a point at which something rests; see `linkage.loaded`."""
     value: Floats
     """(N s)"""
     least: Floats

@@ -15,6 +15,7 @@ from engine.tables.linkage import (
     Joints,
     Nodes,
     Profile,
+    Structures,
 )
 from engine.tables.pairs import (
     IMPACTS_AT_ONCE,
@@ -218,6 +219,7 @@ class Tables(NamedTuple):
     joints: Joints
     braces: Braces
     nodes: Nodes
+    structures: Structures
     equations: Equations
     arms: Arms
     couplings: Couplings
@@ -256,7 +258,7 @@ ROWS = {
     "delassus": MOST_HITS * (MOST_HITS + 1),
     "impacts": IMPACTS_AT_ONCE,
     "joints": 4,
-    "braces": 8,
+    "braces": 9,
     "nodes": 2,
     "bones": 12,
 }

@@ -104,7 +104,7 @@ def test_every_table_and_column_of_the_world_is_saved() -> None:
     # Empty between steps, or made from others.
     passing = {"links", "lanes", "touch", "hits", "impacts", "counts", "fields"}
     passing |= {"unknowns", "delassus", "found", "grid", "progress", "tracks"}
-    passing |= {"braces", "nodes", "equations", "arms", "couplings", "profile"}
+    passing |= {"braces", "nodes", "equations", "arms", "couplings", "profile", "structures"}
     passing |= {"limbs", "bones", "trees"}
     assert set(saved) | passing == {*world.tables._fields}
     known = {*ROWS_OF, *AT_MOST, *COUNTS, *DERIVED}

@@ -1,0 +1,47 @@
+"""What is heavy and joined to what is light stands on it: a rigid body is one, however it is built.
+
+A sweep over contacts stops what the lighter body brings, and joints then bring more of what the
+heavy one does: a table whose top weighs a thousand times as much as a leg sank by 3 cm where it
+stood, and by 60 cm as it landed from half a metre.
+"""
+
+import pytest
+
+from engine import Body, Box, Pin, Wall, Weld, World
+
+
+def build_table(world: World, load: float, height: float, welded: bool) -> list[Body]:
+    """A top of `load` kg on two legs of 0.1 kg and 1 m, `height` above the ground."""
+    world.add(Wall((-10, 0), (10, 0)), friction=0.6)
+    top = world.add(Box(2, 0.1), mass=load, position=(0, 1.05 + height), friction=0.5)
+    legs = []
+    for x in (-0.9, 0.9):
+        leg = world.add(Box(0.1, 1), mass=0.1, position=(x, 0.5 + height), friction=0.5)
+        if welded:
+            world.join(top, leg, Weld(at=(x, 1 + height)))
+        else:
+            world.join(top, leg, Pin(at=(x - 0.05, 1 + height)))
+            world.join(top, leg, Pin(at=(x + 0.05, 1 + height)))
+        legs.append(leg)
+    return legs
+
+
+@pytest.mark.parametrize("welded", [True, False])
+@pytest.mark.parametrize(
+    ("load", "height", "most"),
+    [(10.0, 0.0, 0.0005), (10.0, 0.5, 0.008), (100.0, 0.0, 0.002), (100.0, 0.5, 0.05)],
+)
+def test_a_table_stands_on_its_legs(load: float, height: float, most: float, welded: bool) -> None:
+    """It sinks no deeper than soft contacts give way, and not at all where it is at rest."""
+    world = World(gravity=(0, -9.81), integrator="velocity-verlet", kernels="compiled")
+    legs = build_table(world, load, height, welded)
+    deepest = 0.0
+    for _ in range(120):
+        world.step()
+        deepest = max(deepest, *(0.5 - leg.y for leg in legs))
+    assert deepest < most
+    assert max(0.5 - leg.y for leg in legs) < 0.002
+    assert max(abs(leg.angle) for leg in legs) < 0.001
+    assert world.ledger().energy_error == pytest.approx(0.0, abs=1e-6)
+    up = sum(contact.impulse.y for contact in world.contacts) * 60
+    assert up == pytest.approx((load + 0.2) * 9.81, rel=1e-3)
