@@ -36,10 +36,9 @@ from engine.linkage.limb_groups import (
 from engine.linkage.limb_motion import bind_limbs
 from engine.linkage.limb_sweeps import sweep_all, turn_limbs_by_shift
 from engine.linkage.limb_velocities import ease_limbs
-from engine.linkage.loaded import bear_loads, note_loaded
+from engine.linkage.loaded import bear_loads, list_loaded
 from engine.linkage.modes import CLOSING, HOLDS
 from engine.linkage.positions import (
-    answer_loads,
     bind,
     brace,
     follow_joints,
@@ -157,21 +156,21 @@ def press(t: Tables, resting: int, count: int, part: float, most: int, gives_up:
     Where contacts and joints drive each other, joints hold to first order only, and keep their gaps
     in this part if that does not help.
     """
-    loaded = note_loaded(t, resting)
-    calm, failed = press_and_bind(t, resting, part, most, gives_up, loaded, True)
+    free = list_loaded(t, resting)
+    calm, failed = press_and_bind(t, free, resting, part, most, gives_up)
     if t.braces.sizes[0] == 0 or resting == 0 or not only_forces_drive(t, count):
         return calm
     while t.braces.sizes[7] != HOLDS and (failed > CLOSING or drive_each_other(t, count, part)):
         hold_less(t)
-        calm, failed = press_and_bind(t, resting, part, most, gives_up, loaded, False)
+        calm, failed = press_and_bind(t, resting, resting, part, most, gives_up)
     return calm
 
 
 def press_and_bind(
-    t: Tables, resting: int, part: float, most: int, gives_up: bool, loaded: int, fresh: bool
+    t: Tables, free: int, resting: int, part: float, most: int, gives_up: bool
 ) -> tuple[bool, float]:
     """The same, whatever energy that takes; return also how fast joints failed it before the last
-    sweep (1/s).
+    sweep (1/s). Pairs from place `free` on bear loads together with joints.
 
     Where joints find no solution, contacts are swept again without: what held them was not there.
     """
@@ -180,16 +179,15 @@ def press_and_bind(
     while swept < most:
         swept += 1
         bound = t.braces.sizes[7] == 0
-        if loaded > 0 and bound:
-            answer_loads(t, part)
-            bear_loads(t, resting, 1.0, fresh and swept == 1)
-            answer_loads(t, part)
-            failed = bind(t, part)
-        found = sweep_all(t, resting, CALM, swept % 2 == 0)
+        found = sweep_all(t, free, CALM, swept % 2 == 0)
         failed = bind(t, part)
+        if free < resting and t.braces.sizes[7] == 0:
+            borne = bear_loads(t, free, resting, CALM, True, swept == 1)
+            failed = bind(t, part)
+            found = borne if borne > found else found
         if bound and t.braces.sizes[7] > 0:
             swept = 0
-            fresh = False
+            free = resting
         elif has_settled(found, gives_up and swept == WILD_SWEEPS) and (
             resting == 0 or failed <= CALM
         ):
@@ -312,13 +310,14 @@ def calm_down(t: Tables, left: int, count: int) -> None:
         few = EASING if most == MOST_SWEEPS else most
         sweep_groups(t, left, most, few, polish, EVENLY, early, False)
     else:
-        loaded = note_loaded(t, left)
+        free = list_loaded(t, left)
         for i in range(1, most + 1):
-            if loaded > 0:
-                bear_loads(t, left, 1.0, False)
-                ease(t, False)
-            found = sweep_all(t, left, polish, i % 2 == 1)
+            found = sweep_all(t, free, polish, i % 2 == 1)
             failed = ease(t, found == QUIET)
+            if free < left:
+                borne = bear_loads(t, free, left, polish, False, False)
+                failed = ease(t, borne == QUIET and found == QUIET)
+                found = borne if borne > found else found
             if has_settled(found, gives_up and i == WILD_SWEEPS) and (left == 0 or failed <= CALM):
                 return
 

@@ -10,7 +10,10 @@ Coulomb; `kernels.complementarity`). Trees of hinges go their own way (`limb_swe
 """
 
 from engine.kernels.complementarity import coupling, solve_bounded
-from engine.linkage.impulses import lend
+from engine.kernels.sweeps import LESS_CALM, QUIET, STIRRED
+from engine.linkage.impulses import add, lend, rate_of
+from engine.linkage.moments import book_braces
+from engine.linkage.positions import deliver
 from engine.linkage.skyline import solve_between
 from engine.linkage.tally import find_heaviest, has_braces, node_of
 from engine.tables import MOST_HITS, Tables
@@ -18,9 +21,6 @@ from engine.tables import MOST_HITS, Tables
 HEAVY = 10.0
 """A structure is solved like that where it, or what lies on it, is so many times as heavy as what
 bears it there: sweeps do for others."""
-
-FIRM = 0.2
-"""Share of what free bodies would yield from which on down what joins them is met."""
 
 ROUNDS = 3
 """So often friction is found anew, from what presses, and the other way round."""
@@ -35,67 +35,89 @@ UNBOUNDED = 1e300
 """More than any impulse (N s)."""
 
 
-def note_loaded(t: Tables, resting: int) -> int:
-    """Note for each resting pair which structure it bears with a much lighter body; return the
-    number of such pairs.
+def list_loaded(t: Tables, resting: int) -> int:
+    """Note for each resting pair which structure it bears by a much lighter body; list those that
+    do last, and return the number of the others.
     """
-    t.braces.sizes[8] = 0
     if t.braces.sizes[0] == 0:
-        return 0
+        return resting
     find_heaviest(t)
+    pairs = t.pairs
+    free = 0
     loaded = 0
     for k in range(resting):
-        pair = t.pairs.resting[k]
-        t.pairs.bears[pair] = structure_of(t, t.pairs.a[pair], t.pairs.b[pair])
-        if t.pairs.bears[pair] >= 0:
+        pair = pairs.resting[k]
+        pairs.bears[pair] = structure_of(t, pairs.a[pair], pairs.b[pair])
+        if pairs.bears[pair] < 0:
+            pairs.resting[free] = pair
+            free += 1
+        else:
+            pairs.grouped[loaded] = pair
             loaded += 1
-    t.braces.sizes[8] = loaded
-    return loaded
+    for k in range(loaded):
+        pairs.resting[free + k] = pairs.grouped[k]
+    return free
 
 
 def structure_of(t: Tables, a: int, b: int) -> int:
     """The structure that bears a heavy load where two bodies touch, or is borne there: of the
-    joined one, or the lighter, if that is far too light for the load; -1 if it is not.
+    joined one, or the lighter, if that is far too light for the load; -1 if it is not. Bodies of
+    one structure bear nothing but each other.
     """
     bodies = t.bodies
+    of_a = t.nodes.structure[node_of(t, a)] if has_braces(t, a) else -1
+    of_b = t.nodes.structure[node_of(t, b)] if has_braces(t, b) else -1
+    if of_a == of_b:
+        return -1
     bears = a
     other = b
-    if not has_braces(t, a) or (has_braces(t, b) and bodies.mass[b] < bodies.mass[a]):
+    structure = of_a
+    if of_a < 0 or (of_b >= 0 and bodies.mass[b] < bodies.mass[a]):
         bears = b
         other = a
-    if not has_braces(t, bears):
-        return -1
-    structure = t.nodes.structure[node_of(t, bears)]
+        structure = of_b
     most = HEAVY * bodies.mass[bears]
     heavy = bodies.inverse_mass[other] > 0.0 and bodies.mass[other] > most
     return structure if heavy or t.structures.heaviest[structure] > most else -1
 
 
-def bear_loads(t: Tables, resting: int, share: float, fresh: bool) -> None:
-    """Solve the contacts of each loaded structure together, as if its joints answered by `share` of
-    what they lend; velocities obey the joints, and the present matrix is theirs.
+def bear_loads(t: Tables, free: int, resting: int, calm: float, within: bool, fresh: bool) -> int:
+    """Solve the contacts of each loaded structure together with its joints, whose velocities obey.
 
-    Joints then have to answer. What they do not know yet, as limits and motors that change their
-    minds, is left to the sweeps that follow.
+    Args:
+        t: the tables.
+        free: place of the first pair that bears a structure,
+        resting: and of the end of the list.
+        calm: change of a velocity that does not count (reaches a second).
+        within: whether contacts act in a part, at whose start joints answer, or at its end, at
+            which they are left to answer by themselves.
+        fresh: whether this is the first time in the part.
+
+    Returns how velocities changed, as `sweep` does. What joints do not know yet, as limits and
+    motors that change their minds, is left to what follows.
     """
     pairs = t.pairs
-    for k in range(resting):
+    found = QUIET
+    for k in range(free, resting):
         structure = pairs.bears[pairs.resting[k]]
-        if structure >= 0 and is_first(t, k, structure):
+        if is_first(t, free, k, structure):
             points = list_points(t, k, resting, structure)
-            couple_through_joints(t, points, structure, share)
-            if not bears_much(t, points):
-                continue
+            couple_through_joints(t, points, structure)
             if fresh:
                 stiffen(t, points)
             want(t, points)
             find_loads(t, points)
-            give_loads(t, points)
+            if give_loads(t, points, calm):
+                found = STIRRED
+            if within:
+                answer_loads(t, points, structure)
+            keep_loads(t, points)
+    return found
 
 
-def is_first(t: Tables, k: int, structure: int) -> bool:
+def is_first(t: Tables, free: int, k: int, structure: int) -> bool:
     """Whether no pair that is listed before place `k` bears the same structure."""
-    for before in range(k):  # noqa: SIM110, a loop that can be compiled
+    for before in range(free, k):  # noqa: SIM110, a loop that can be compiled
         if t.pairs.bears[t.pairs.resting[before]] == structure:
             return False
     return True
@@ -105,19 +127,27 @@ def list_points(t: Tables, k: int, resting: int, structure: int) -> int:
     """List the points of pairs, from place `k` on, that bear a structure; return their number.
 
     Each is two of the `Unknowns`: the impulses along the normals, then those along the tangents.
-    Those for which there is no room are left to the sweeps.
+    Those for which there is no room are left as they are.
+    """
+    pairs = t.pairs
+    points = 0
+    for at in range(k, resting):
+        pair = pairs.resting[at]
+        if pairs.bears[pair] == structure and 2 * (points + pairs.points[pair]) <= MOST_HITS:
+            for row in range(2 * pair, 2 * pair + pairs.points[pair]):
+                t.unknowns.contact[points] = row
+                points += 1
+    aim_points(t, points)
+    return points
+
+
+def aim_points(t: Tables, points: int) -> None:
+    """Say of the impulses of listed points along what and with which levers they act, and how large
+    they are.
     """
     pairs = t.pairs
     contacts = t.contacts
     unknowns = t.unknowns
-    points = 0
-    for at in range(k, resting):
-        pair = pairs.resting[at]
-        if pairs.bears[pair] != structure or 2 * (points + pairs.points[pair]) > MOST_HITS:
-            continue
-        for row in range(2 * pair, 2 * pair + pairs.points[pair]):
-            unknowns.contact[points] = row
-            points += 1
     for point in range(points):
         row = unknowns.contact[point]
         pair = row // 2
@@ -137,52 +167,81 @@ def list_points(t: Tables, k: int, resting: int, structure: int) -> int:
         for unknown in (point, along):
             unknowns.a[unknown] = pairs.a[pair]
             unknowns.b[unknown] = pairs.b[pair]
-    return points
 
 
-def couple_through_joints(t: Tables, points: int, structure: int, share: float) -> None:
-    """Find how impulses change speeds, where joints answer by `share` of what they lend."""
+def couple_through_joints(t: Tables, points: int, structure: int) -> None:
+    """Find how impulses change speeds, joints included."""
     count = 2 * points
     entry = t.delassus.coupling
     for unknown in range(count):
-        lend_answer(t, unknown, structure)
+        be_still(t)
+        shake(t, unknown, structure, 1.0)
+        answer(t, structure)
+        for row in range(t.structures.first[structure], t.structures.end[structure]):
+            lend(t, row, t.equations.unknown[row])
         for other in range(unknown, count):
-            changes = coupling(t, other, unknown) + share * lent_along(t, other, structure)
+            changes = coupling(t, other, unknown) + lent_along(t, other, structure)
             entry[unknown * count + other] = changes
             entry[other * count + unknown] = changes
 
 
-def lend_answer(t: Tables, unknown: int, structure: int) -> None:
-    """Let the joints of a structure lend what they answer to a unit impulse."""
-    unknowns = t.unknowns
+def be_still(t: Tables) -> None:
+    """Let no node move."""
     nodes = t.nodes
-    arms = t.arms
-    bodies = t.bodies
+    for node in range(t.braces.sizes[1]):
+        nodes.vx[node] = nodes.vy[node] = nodes.spin[node] = 0.0
+        nodes.lent_x[node] = nodes.lent_y[node] = nodes.lent_spin[node] = 0.0
+
+
+def shake(t: Tables, unknown: int, structure: int, impulse: float) -> None:
+    """Let an impulse change the velocities of nodes of a structure."""
+    unknowns = t.unknowns
     a = unknowns.a[unknown]
     b = unknowns.b[unknown]
-    x = unknowns.along_x[unknown]
-    y = unknowns.along_y[unknown]
-    turn_a = bodies.inverse_inertia[a] * unknowns.arm_a[unknown]
-    turn_b = bodies.inverse_inertia[b] * unknowns.arm_b[unknown]
+    x = unknowns.along_x[unknown] * impulse
+    y = unknowns.along_y[unknown] * impulse
+    shake_node(t, node_in(t, a, structure), -x, -y, -unknowns.arm_a[unknown] * impulse)
+    shake_node(t, node_in(t, b, structure), x, y, unknowns.arm_b[unknown] * impulse)
+
+
+def shake_node(t: Tables, node: int, x: float, y: float, turn: float) -> None:
+    """Let an impulse (N s) and an angular one (N m s) change the velocity of a node."""
+    nodes = t.nodes
+    nodes.vx[node] += nodes.inverse_mass[node] * x
+    nodes.vy[node] += nodes.inverse_mass[node] * y
+    nodes.spin[node] += nodes.inverse_inertia[node] * turn
+
+
+def answer(t: Tables, structure: int) -> None:
+    """Find the impulses by which the joints of a structure answer to the velocities of its nodes,
+    as `unknown` of its equations.
+    """
     first = t.structures.first[structure]
     end = t.structures.end[structure]
     for row in range(first, end):
-        rate = 0.0
-        for arm in range(2 * row, 2 * row + 2):
-            node = arms.node[arm]
-            nodes.lent_x[node] = nodes.lent_y[node] = nodes.lent_spin[node] = 0.0
-            if node == 0:
-                continue
-            body = nodes.body[node]
-            along = arms.x[arm] * x + arms.y[arm] * y
-            if body == a:
-                rate -= bodies.inverse_mass[a] * along + turn_a * arms.turn[arm]
-            elif body == b:
-                rate += bodies.inverse_mass[b] * along + turn_b * arms.turn[arm]
-        t.equations.unknown[row] = -rate
+        t.equations.unknown[row] = -rate_of(t, 2 * row) - rate_of(t, 2 * row + 1)
     solve_between(t, first, end)
-    for row in range(first, end):
-        lend(t, row, t.equations.unknown[row])
+
+
+def answer_loads(t: Tables, points: int, structure: int) -> None:
+    """Let joints answer, at the start of a part, to what contacts changed: they act evenly, so half
+    of it changes mean velocities.
+    """
+    be_still(t)
+    for point in range(points):
+        row = t.unknowns.contact[point]
+        along = points + point
+        change = t.unknowns.value[point] - t.contacts.normal_impulse[row]
+        shake(t, point, structure, change / 2.0)
+        change = t.unknowns.value[along] - t.contacts.tangent_impulse[row]
+        shake(t, along, structure, change / 2.0)
+    answer(t, structure)
+    for row in range(t.braces.sizes[2]):
+        t.equations.total[row] = 0.0
+    for row in range(t.structures.first[structure], t.structures.end[structure]):
+        add(t, row, t.equations.unknown[row])
+    book_braces(t, 0.0, False)
+    deliver(t)
 
 
 def lent_along(t: Tables, unknown: int, structure: int) -> float:
@@ -197,19 +256,14 @@ def lent_along(t: Tables, unknown: int, structure: int) -> float:
 def of_body(t: Tables, row: int, structure: int, x: float, y: float, arm: float) -> float:
     """What one body adds to that; 0 if it is none of the structure."""
     nodes = t.nodes
-    node = node_of(t, row) if has_braces(t, row) else 0
-    if nodes.structure[node] != structure:
-        return 0.0
+    node = node_in(t, row, structure)
     return nodes.lent_x[node] * x + nodes.lent_y[node] * y + nodes.lent_spin[node] * arm
 
 
-def bears_much(t: Tables, points: int) -> bool:
-    """Whether a contact meets much more mass than that of its two bodies."""
-    for point in range(points):
-        yields = t.delassus.coupling[2 * points * point + point]
-        if t.contacts.normal_mass[t.unknowns.contact[point]] * yields < FIRM:
-            return True
-    return False
+def node_in(t: Tables, row: int, structure: int) -> int:
+    """The node of a body in a structure; 0, which never moves, if it is none of it."""
+    node = node_of(t, row) if has_braces(t, row) else 0
+    return node if t.nodes.structure[node] == structure else 0
 
 
 def stiffen(t: Tables, points: int) -> None:
@@ -280,17 +334,31 @@ def find_loads(t: Tables, points: int) -> None:
         solve_bounded(t, 2 * points, ENOUGH * smallest, PASSES)
 
 
-def give_loads(t: Tables, points: int) -> None:
-    """Give the impulses that were found, in place of those that acted."""
+def give_loads(t: Tables, points: int, calm: float) -> bool:
+    """Give the impulses that were found, in place of those that acted; return whether that changed
+    a velocity by more than `calm` (reaches a second).
+    """
     unknowns = t.unknowns
     contacts = t.contacts
+    stirred = False
     for point in range(points):
         row = unknowns.contact[point]
-        give(t, point, unknowns.value[point] - contacts.normal_impulse[row])
-        contacts.normal_impulse[row] = unknowns.value[point]
         along = points + point
-        give(t, along, unknowns.value[along] - contacts.tangent_impulse[row])
-        contacts.tangent_impulse[row] = unknowns.value[along]
+        push = unknowns.value[point] - contacts.normal_impulse[row]
+        rub = unknowns.value[along] - contacts.tangent_impulse[row]
+        give(t, point, push)
+        give(t, along, rub)
+        still = calm * t.pairs.size[row // 2] * contacts.normal_mass[row]
+        stirred = stirred or abs(push) > still or abs(rub) > LESS_CALM * still
+    return stirred
+
+
+def keep_loads(t: Tables, points: int) -> None:
+    """Note the impulses that were given."""
+    for point in range(points):
+        row = t.unknowns.contact[point]
+        t.contacts.normal_impulse[row] = t.unknowns.value[point]
+        t.contacts.tangent_impulse[row] = t.unknowns.value[points + point]
 
 
 def give(t: Tables, unknown: int, change: float) -> None:

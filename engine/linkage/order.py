@@ -116,14 +116,14 @@ def _filled(
         structures.first[k + 1], structures.end[k + 1] = int(ends[k]), int(ends[k + 1])
         for body in {body for brace in island for body in (brace.a, brace.b)} & movable:
             nodes.structure[node_of[body]] = k + 1
-    braces = allocate(Braces, max(9, len(order)))
+    braces = allocate(Braces, max(8, len(order)))
     for k, brace in enumerate(order):
         braces.joint[k], braces.shape[k] = brace.joint, brace.shape
         braces.node_a[k], braces.node_b[k] = node_of[brace.a], node_of[brace.b]
         braces.first[k], braces.rows[k] = int(starts[k]), brace.rows
     sizes = (len(order), len(node_of), rows, len(couplings), entries)
     coordinates = sum(brace.shape in (LINE, STRING) or brace.rows == 3 for brace in order)
-    np.asarray(braces.sizes)[:9] = (*sizes, 0, coordinates, 0, 0)
+    np.asarray(braces.sizes)[:8] = (*sizes, 0, coordinates, 0)
     table = allocate(Couplings, max(1, len(couplings)))
     for k, (at, left, right) in enumerate(couplings):
         table.at[k], table.left[k], table.right[k] = at, left, right

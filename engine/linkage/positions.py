@@ -11,7 +11,7 @@ of the part before.
 from engine.kernels.moments import place_in_part
 from engine.linkage.closing import note_closings
 from engine.linkage.geometry import aim, measure, place_nodes
-from engine.linkage.impulses import add_up, lend, note_impulses, take
+from engine.linkage.impulses import add_up, lend, note_impulses
 from engine.linkage.jolts import jolt, jolt_start
 from engine.linkage.limb_guesses import keep_limb_impulses
 from engine.linkage.limb_motion import brace_limbs
@@ -25,15 +25,7 @@ from engine.linkage.modes import (
     scale_of,
 )
 from engine.linkage.moments import book_braces
-from engine.linkage.seeking import (
-    STRIDE,
-    find_impulses,
-    find_misses,
-    predict,
-    renew,
-    seek_straight,
-)
-from engine.linkage.skyline import solve
+from engine.linkage.seeking import STRIDE, find_impulses, renew, seek_straight
 from engine.tables import Tables
 from engine.tables.linkage import FREE_WAY, STRAINED
 
@@ -120,22 +112,6 @@ def bind(t: Tables, part: float) -> float:
     book_braces(t, 0.0, False)
     deliver(t)
     return failed
-
-
-def answer_loads(t: Tables, part: float) -> None:
-    """Let joints answer to first order to loads that contacts were given at once (`loaded`), which
-    is what those were found for; `bind` finds the rest.
-    """
-    gather_means(t)
-    for row in range(t.braces.sizes[2]):
-        t.equations.total[row] = 0.0
-    predict(t, part)
-    find_misses(t, part)
-    solve(t)
-    if take(t, 0.5, False, True):
-        renew(t, part)
-    book_braces(t, 0.0, False)
-    deliver(t)
 
 
 def hold_less(t: Tables) -> None:

@@ -26,8 +26,6 @@ what stands still do no work but by rounding."""
 
 def throws(t: Tables, part: float) -> bool:
     """Whether joints that only hold, trees of hinges apart, do so in a part (s)."""
-    if t.braces.sizes[8] > 0:
-        return False
     nodes = t.nodes
     bodies = t.bodies
     most = 0.0

@@ -258,7 +258,7 @@ ROWS = {
     "delassus": MOST_HITS * (MOST_HITS + 1),
     "impacts": IMPACTS_AT_ONCE,
     "joints": 4,
-    "braces": 9,
+    "braces": 8,
     "nodes": 2,
     "bones": 12,
 }
