@@ -5,6 +5,7 @@ is over: what forces do within a substep explains its motion. Nothing else decid
 impact; there is no speed below which bodies do not bounce.
 """
 
+from engine.kernels.aftermath import BLOWS
 from engine.kernels.agenda import dequeue, enqueue, next_to_meet
 from engine.kernels.circles import stillness, wall_of
 from engine.kernels.contacts import CROWD, kick
@@ -55,7 +56,9 @@ JAMMED = 0.1
 let it open, it would grow stiffer with its load, and its load with its stiffness, without end."""
 
 WHIRLING = 0.1
-"""What turns by more within a part (rad), on a corner that nothing holds down, does not rest."""
+"""What turns by more within a part (rad), on a corner that nothing holds down, does not rest; what
+turns by less sinks by a share of its square, once its other corner has been seen to (see
+`aftermath`)."""
 
 STALLS = 20
 """Parts without duration after which pairs are held: joints may take back at once what lets go."""
@@ -384,4 +387,12 @@ def plunges(t: Tables, pair: int, way: float, part: float, explained: float) -> 
     turn = turning(t, pair, part)
     if turn * turn * t.pairs.size[pair] <= explained * part:
         return False
-    return turn > WHIRLING or way > inner_of_both(t, pair)
+    return whirls(t, pair, part) or way > inner_of_both(t, pair)
+
+
+def whirls(t: Tables, pair: int, lasts: float) -> bool:
+    """Whether a pair turns so far on each other within `lasts` seconds that it is in flight between
+    the blows of its corners. What is driven together again by every one of many blows does not
+    leave: a face that turns into a disc as fast as the disc gives way has it slide along.
+    """
+    return t.pairs.bounces[pair] < BLOWS and turning(t, pair, lasts) > WHIRLING

@@ -11,7 +11,6 @@ from engine.kernels.books import book_lead, book_part
 from engine.kernels.contacts import correct_arms, relax
 from engine.kernels.escaping import has_escaped
 from engine.kernels.fields import lead_of_euler
-from engine.kernels.following import turning
 from engine.kernels.gathering import gather
 from engine.kernels.islands import (
     end_steadily,
@@ -29,6 +28,7 @@ from engine.kernels.resting import (
     count_holds,
     hold,
     settle,
+    whirls,
 )
 from engine.kernels.rousing import pair_waits, rouse
 from engine.kernels.sensing import sense_all
@@ -52,12 +52,7 @@ from engine.linkage.tally import (
     joints_that_act,
     mean_forces,
 )
-from engine.tables import IMPACTS_AT_ONCE, NEVER, RESTING, Tables
-
-PLUNGE = 0.1
-"""A pair that comes to rest bears nothing until its part is over. If it turns by more than this
-meanwhile (rad), the part ends; what turns by less sinks by a share of its square, once its other
-corner has been seen to (see `aftermath`)."""
+from engine.tables import FREE, IMPACTS_AT_ONCE, NEVER, RESTING, Tables
 
 
 def begin(t: Tables, count: int, pair_count: int, shortest: float) -> None:
@@ -291,15 +286,14 @@ def meet_in_order(
         t.hits.gathered[0] = pair
         if written[1] < limit:
             number, queued = gather(t, pair, now, time, queued)
-        rests = meet(t, number, now, time, dt, substep, limit)
+        bare = part - time if held > 0 else 0.0  # else the part ends as something comes to rest
+        rests = meet(t, number, now, time, bare, dt, substep, limit)
         for k in range(number):
             if pair_waits(t, t.hits.gathered[k]):
                 rouse(t, t.hits.gathered[k])
         if t.progress.roused[0] > 0:
             cut = True  # but first, what waits hands the blow on to what it rests on
-        elif rests and (
-            (held == 0 and time < part) or (written[1] < limit and plunge(t, number, part - time))
-        ):
+        elif rests and held == 0 and time < part:
             return DONE, time, queued
         left = dt - now - time
         for k in range(number):
@@ -321,20 +315,21 @@ def meet_in_order(
     return ending, part, queued
 
 
-def plunge(t: Tables, number: int, left: float) -> bool:
-    """Whether one of the pairs that were struck rests and turns far in the time left (s)."""
-    for k in range(number):
-        pair = t.hits.gathered[k]
-        if t.pairs.state[pair] == RESTING and turning(t, pair, left) > PLUNGE:
-            return True
-    return False
-
-
 def meet(
-    t: Tables, number: int, now: float, time: float, dt: float, substep: float, limit: int
+    t: Tables,
+    number: int,
+    now: float,
+    time: float,
+    bare: float,
+    dt: float,
+    substep: float,
+    limit: int,
 ) -> bool:
     """Let the pairs that were gathered meet at `time` of their part; return whether one of them
     rests from then on. For the others see `meet_in_order`.
+
+    What comes to rest bears nothing as long as it is `bare` (s), until its part is over. What
+    whirls would be entered meanwhile: it flies on, however softly it was struck.
     """
     pairs = t.pairs
     written = t.impacts.written
@@ -348,6 +343,8 @@ def meet(
     rests = False
     for k in range(number):
         pair = hits.gathered[k]
+        if pairs.state[pair] == RESTING and written[1] < limit and whirls(t, pair, bare):
+            pairs.state[pair] = FREE
         if pairs.state[pair] == RESTING:
             rests = True
         elif hits.rested[k] == 1:

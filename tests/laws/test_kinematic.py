@@ -132,6 +132,30 @@ def test_a_spinning_paddle_hits_at_its_own_instant() -> None:
     assert point.velocity == pytest.approx((-out * math.sqrt(0.5), out * math.sqrt(0.5)), rel=1e-5)
 
 
+@pytest.mark.parametrize("restitution", [0.0, 0.5])
+def test_a_whirling_bar_throws_out_a_disc_that_lies_on_it(restitution: float) -> None:
+    """Its centre slides out as r = s cosh(w t) (r'' = w^2 r in the frame of the bar: Kleppner &
+    Kolenkow, "An Introduction to Mechanics", example 2.12) and stays at its distance, though the
+    bar turns by 0.11 rad in a part of a tick and drives into it: in a few blows, after which it
+    rests on the bar; each of endless ones would cost an instant of its own.
+    """
+    world = World(integrator="velocity-verlet")
+    spin, start, radius, half = 40.0, 0.3, 0.1, 0.05
+    bar = world.add(Polygon.box(4, 2 * half), kind="kinematic", spin=spin, restitution=restitution)
+    disc = world.add(
+        Circle(radius), position=(start, half + radius), restitution=restitution,
+        velocity=(-spin * (half + radius), spin * start),
+    )  # fmt: skip
+    hits = 0
+    while world.time * spin < 1.8:
+        hits += len(world.step())
+        out = disc.x * math.cos(bar.angle) + disc.y * math.sin(bar.angle)
+        above = disc.y * math.cos(bar.angle) - disc.x * math.sin(bar.angle) - half - radius
+        assert out == pytest.approx(start * math.cosh(spin * world.time), rel=0.015)
+        assert -0.03 * radius < above < 0.02 * radius
+    assert hits < 40
+
+
 def test_two_kinematic_bodies_and_walls_pass_through_each_other() -> None:
     world = World()
     a = world.add(Polygon.box(1, 1), kind="kinematic", velocity=(2, 0))
