@@ -47,3 +47,12 @@ class Rect(NamedTuple):
     def inset(self, by: float) -> "Rect":
         """The same rectangle, smaller by `by` on each side (larger if negative)."""
         return Rect(self.x + by, self.y + by, self.width - 2 * by, self.height - 2 * by)
+
+    def overlaps(self, other: "Rect") -> bool:
+        """Whether the two share any area."""
+        return (
+            self.x < other.right
+            and other.x < self.right
+            and self.y < other.bottom
+            and other.y < self.bottom
+        )
