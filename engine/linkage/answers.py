@@ -21,6 +21,9 @@ from engine.linkage.tally import find_heaviest, has_braces, node_of
 from engine.linkage.velocities import MOST_CHANGES, begin_instant, find_rates, renew
 from engine.tables import Tables
 
+ALIKE = 8.0
+"""Masses that differ by so many times count as alike."""
+
 Changes = tuple[float, float, float, float, float, float]
 """Of the velocity and spin of a, then of b (m/s, rad/s)."""
 
@@ -138,11 +141,12 @@ def react(t: Tables, a: int, b: int, time: float, change: Changes) -> None:
 
 def lightness(t: Tables, a: int, b: int) -> float:
     """Mass of a or b, as a share of the heaviest body that is joined to it; the smaller of the two,
-    0..1. Everything has been placed.
+    times `ALIKE`, 0..1. Everything has been placed.
     """
-    of_a = share_of_heaviest(t, a)
-    of_b = share_of_heaviest(t, b)
-    return of_a if of_a < of_b else of_b
+    of_a = ALIKE * share_of_heaviest(t, a)
+    of_b = ALIKE * share_of_heaviest(t, b)
+    least = of_a if of_a < of_b else of_b
+    return least if least < 1.0 else 1.0
 
 
 def share_of_heaviest(t: Tables, row: int) -> float:
