@@ -11,6 +11,9 @@ Subspace Minimization Method for Interactive Rigid Body Dynamics", 2010.
 
 from engine.tables import Tables
 
+UNBOUNDED = 1e300
+"""More than any impulse (N s)."""
+
 BETWEEN = 3
 """Passes between two eliminations."""
 

@@ -9,7 +9,7 @@ impact gains energy.
 """
 
 from engine.kernels.circles import stillness
-from engine.kernels.complementarity import couple, solve_bounded
+from engine.kernels.complementarity import UNBOUNDED, couple, solve_bounded
 from engine.kernels.exchange import BLOWS, sticks
 from engine.kernels.footprint import PARALLEL, points_struck
 from engine.kernels.gathering import is_ground
@@ -47,9 +47,6 @@ but"""
 NEARLY = 1e-6
 """where passes come to their end, this will do: what still approaches is struck again at once. If
 not even that is found, pairs are struck one by one."""
-
-UNBOUNDED = 1e300
-"""More than any impulse (N s)."""
 
 
 def strike_gathered(

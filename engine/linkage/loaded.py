@@ -9,8 +9,9 @@ Brogliato, "Nonsmooth Mechanics", 2016, section 5.2), and impulses have their bo
 Coulomb; `kernels.complementarity`). Trees of hinges go their own way (`limb_sweeps`).
 """
 
-from engine.kernels.complementarity import coupling, solve_bounded
+from engine.kernels.complementarity import UNBOUNDED, coupling, solve_bounded
 from engine.kernels.sweeps import LESS_CALM, QUIET, STIRRED
+from engine.linkage.answers import still
 from engine.linkage.impulses import add, lend, rate_of
 from engine.linkage.moments import book_braces
 from engine.linkage.positions import deliver
@@ -30,9 +31,6 @@ PASSES = 24
 
 ENOUGH = 1e-4
 """No speed changes by more in the last of them, in reaches of the smaller body a second (1/s)."""
-
-UNBOUNDED = 1e300
-"""More than any impulse (N s)."""
 
 
 def list_loaded(t: Tables, resting: int) -> int:
@@ -107,11 +105,10 @@ def bear_loads(t: Tables, free: int, resting: int, calm: float, within: bool, fr
                 stiffen(t, points)
             want(t, points)
             find_loads(t, points)
-            if give_loads(t, points, calm):
+            if give_loads(t, points, structure, calm):
                 found = STIRRED
             if within:
-                answer_loads(t, points, structure)
-            keep_loads(t, points)
+                answer_loads(t, structure)
     return found
 
 
@@ -187,10 +184,8 @@ def couple_through_joints(t: Tables, points: int, structure: int) -> None:
 
 def be_still(t: Tables) -> None:
     """Let no node move."""
-    nodes = t.nodes
     for node in range(t.braces.sizes[1]):
-        nodes.vx[node] = nodes.vy[node] = nodes.spin[node] = 0.0
-        nodes.lent_x[node] = nodes.lent_y[node] = nodes.lent_spin[node] = 0.0
+        still(t, node)
 
 
 def shake(t: Tables, unknown: int, structure: int, impulse: float) -> None:
@@ -223,18 +218,8 @@ def answer(t: Tables, structure: int) -> None:
     solve_between(t, first, end)
 
 
-def answer_loads(t: Tables, points: int, structure: int) -> None:
-    """Let joints answer, at the start of a part, to what contacts changed: they act evenly, so half
-    of it changes mean velocities.
-    """
-    be_still(t)
-    for point in range(points):
-        row = t.unknowns.contact[point]
-        along = points + point
-        change = t.unknowns.value[point] - t.contacts.normal_impulse[row]
-        shake(t, point, structure, change / 2.0)
-        change = t.unknowns.value[along] - t.contacts.tangent_impulse[row]
-        shake(t, along, structure, change / 2.0)
+def answer_loads(t: Tables, structure: int) -> None:
+    """Let joints answer, at the start of a part, to what contacts changed (`give_loads`)."""
     answer(t, structure)
     for row in range(t.braces.sizes[2]):
         t.equations.total[row] = 0.0
@@ -321,26 +306,29 @@ def find_loads(t: Tables, points: int) -> None:
     """Find the impulses: what presses, within the friction that it has."""
     pairs = t.pairs
     unknowns = t.unknowns
+    smallest = UNBOUNDED
+    for point in range(points):
+        size = pairs.size[unknowns.contact[point] // 2]
+        smallest = size if size < smallest else smallest
     for _ in range(ROUNDS):
-        smallest = UNBOUNDED
         for point in range(points):
             pair = unknowns.contact[point] // 2
             slips = pairs.slid[pair] != 0.0 and pairs.static_friction[pair] > pairs.friction[pair]
             grip = pairs.friction[pair] if slips else pairs.static_friction[pair]
             unknowns.most[points + point] = grip * unknowns.value[point]
             unknowns.least[points + point] = -grip * unknowns.value[point]
-            if pairs.size[pair] < smallest:
-                smallest = pairs.size[pair]
         solve_bounded(t, 2 * points, ENOUGH * smallest, PASSES)
 
 
-def give_loads(t: Tables, points: int, calm: float) -> bool:
+def give_loads(t: Tables, points: int, structure: int, calm: float) -> bool:
     """Give the impulses that were found, in place of those that acted; return whether that changed
-    a velocity by more than `calm` (reaches a second).
+    a velocity by more than `calm` (reaches a second). They act evenly: half of them changes the
+    mean velocities of nodes.
     """
     unknowns = t.unknowns
     contacts = t.contacts
     stirred = False
+    be_still(t)
     for point in range(points):
         row = unknowns.contact[point]
         along = points + point
@@ -348,17 +336,13 @@ def give_loads(t: Tables, points: int, calm: float) -> bool:
         rub = unknowns.value[along] - contacts.tangent_impulse[row]
         give(t, point, push)
         give(t, along, rub)
-        still = calm * t.pairs.size[row // 2] * contacts.normal_mass[row]
-        stirred = stirred or abs(push) > still or abs(rub) > LESS_CALM * still
+        shake(t, point, structure, push / 2.0)
+        shake(t, along, structure, rub / 2.0)
+        contacts.normal_impulse[row] = unknowns.value[point]
+        contacts.tangent_impulse[row] = unknowns.value[along]
+        enough = calm * t.pairs.size[row // 2] * contacts.normal_mass[row]
+        stirred = stirred or abs(push) > enough or abs(rub) > LESS_CALM * enough
     return stirred
-
-
-def keep_loads(t: Tables, points: int) -> None:
-    """Note the impulses that were given."""
-    for point in range(points):
-        row = t.unknowns.contact[point]
-        t.contacts.normal_impulse[row] = t.unknowns.value[point]
-        t.contacts.tangent_impulse[row] = t.unknowns.value[points + point]
 
 
 def give(t: Tables, unknown: int, change: float) -> None:
