@@ -10,6 +10,7 @@ Coulomb; `kernels.complementarity`). Trees of hinges go their own way (`limb_swe
 """
 
 from engine.kernels.complementarity import UNBOUNDED, coupling, solve_bounded
+from engine.kernels.rubbing import resist_rolling
 from engine.kernels.sweeps import LESS_CALM, QUIET, STIRRED
 from engine.linkage.answers import still
 from engine.linkage.impulses import add, lend, rate_of
@@ -106,6 +107,8 @@ def bear_loads(t: Tables, free: int, resting: int, calm: float, within: bool, fr
             want(t, points)
             find_loads(t, points)
             if give_loads(t, points, structure, calm):
+                found = STIRRED
+            if brake_rolling(t, points, structure, calm):
                 found = STIRRED
             if within:
                 answer_loads(t, structure)
@@ -311,13 +314,27 @@ def find_loads(t: Tables, points: int) -> None:
         size = pairs.size[unknowns.contact[point] // 2]
         smallest = size if size < smallest else smallest
     for _ in range(ROUNDS):
-        for point in range(points):
-            pair = unknowns.contact[point] // 2
-            slips = pairs.slid[pair] != 0.0 and pairs.static_friction[pair] > pairs.friction[pair]
-            grip = pairs.friction[pair] if slips else pairs.static_friction[pair]
-            unknowns.most[points + point] = grip * unknowns.value[point]
-            unknowns.least[points + point] = -grip * unknowns.value[point]
+        bound_friction(t, points)
         solve_bounded(t, 2 * points, ENOUGH * smallest, PASSES)
+    bound_friction(t, points)
+    for along in range(points, 2 * points):
+        most = unknowns.most[along]
+        if unknowns.value[along] > most:
+            unknowns.value[along] = most
+        elif unknowns.value[along] < -most:
+            unknowns.value[along] = -most
+
+
+def bound_friction(t: Tables, points: int) -> None:
+    """Bound friction by what presses (Coulomb)."""
+    pairs = t.pairs
+    unknowns = t.unknowns
+    for point in range(points):
+        pair = unknowns.contact[point] // 2
+        slips = pairs.slid[pair] != 0.0 and pairs.static_friction[pair] > pairs.friction[pair]
+        grip = pairs.friction[pair] if slips else pairs.static_friction[pair]
+        unknowns.most[points + point] = grip * unknowns.value[point]
+        unknowns.least[points + point] = -grip * unknowns.value[point]
 
 
 def give_loads(t: Tables, points: int, structure: int, calm: float) -> bool:
@@ -342,6 +359,28 @@ def give_loads(t: Tables, points: int, structure: int, calm: float) -> bool:
         contacts.tangent_impulse[row] = unknowns.value[along]
         enough = calm * t.pairs.size[row // 2] * contacts.normal_mass[row]
         stirred = stirred or abs(push) > enough or abs(rub) > LESS_CALM * enough
+    return stirred
+
+
+def brake_rolling(t: Tables, points: int, structure: int, calm: float) -> bool:
+    """Let each contact resist the rolling as if nothing else did; return whether that changed a
+    spin by more than `calm` (1/s).
+    """
+    bodies = t.bodies
+    stirred = False
+    for point in range(points):
+        pair = t.unknowns.contact[point] // 2
+        a = t.pairs.a[pair]
+        b = t.pairs.b[pair]
+        turns = bodies.inverse_inertia[a] + bodies.inverse_inertia[b]
+        first = t.unknowns.contact[point] == 2 * pair
+        if first and t.pairs.rolling_resistance[pair] > 0.0 and turns > 0.0:
+            change = resist_rolling(t, pair, bodies.kick_spin[b] - bodies.kick_spin[a], turns)
+            bodies.kick_spin[a] -= bodies.inverse_inertia[a] * change
+            bodies.kick_spin[b] += bodies.inverse_inertia[b] * change
+            shake_node(t, node_in(t, a, structure), 0.0, 0.0, -change / 2.0)
+            shake_node(t, node_in(t, b, structure), 0.0, 0.0, change / 2.0)
+            stirred = stirred or abs(change) * turns > LESS_CALM * calm
     return stirred
 
 

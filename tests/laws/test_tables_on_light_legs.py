@@ -70,3 +70,28 @@ def test_what_is_heavy_bounces_on_a_light_foot(
         if (tick > 20 and restitution < 1.0) or tick > 30:
             highest = max(highest, foot.y - 0.05)
     assert highest == pytest.approx(restitution**2 * height, abs=0.005)
+
+
+@pytest.mark.parametrize("load", [5.0, 100.0, 1000.0])
+def test_light_wheels_resist_the_rolling_of_what_they_bear(load: float) -> None:
+    """A cart of mass M on wheels of radius r, of which each resists by c times its load, slows
+    down by a = c M g / (r (M + sum I / r^2)): it was not braked at all where the hinges had limits.
+    """
+    radius = 0.3
+    coefficient = 0.01
+    world = World(gravity=(0, -9.81), integrator="velocity-verlet", kernels="compiled")
+    world.add(Wall((-30, 0), (30, 0)), friction=0.9)
+    frame = world.add(Box(2, 0.1), mass=load, position=(0, radius), velocity=(3, 0))
+    resisting = 0.0
+    for x in (-0.9, 0.9):
+        wheel = world.add(
+            Circle(radius), mass=0.1, position=(x, radius), velocity=(3, 0), spin=-3 / radius,
+            friction=0.9, rolling_resistance=coefficient,
+        )  # fmt: skip
+        world.join(frame, wheel, Pin(at=(x, radius), limits=(-1e6, 1e6)))
+        resisting += wheel.inertia / radius**2
+    world.run(60)
+    mass = load + 0.2
+    slower = coefficient * mass * 9.81 / radius / (mass + resisting)
+    assert frame.vx == pytest.approx(3 - slower, rel=1e-4)
+    assert frame.y == pytest.approx(radius, abs=1e-4)
