@@ -75,15 +75,27 @@ def blow(
     if other >= 0:
         there = approach(t, pair, other)
         v2 = change_of(there, bounce)
-        share, total = share_of_two(t, pair, one, other, bounce * speed, v2)
-        x += share * (t.touch.x[other] - x)
-        y += share * (t.touch.y[other] - y)
-        speed += share * (there - speed)
+        share, both = share_of_two(t, pair, one, other, bounce * speed, v2)
+        if not gives_energy(share, bounce, speed, there):
+            total = both
+            x += share * (t.touch.x[other] - x)
+            y += share * (t.touch.y[other] - y)
+            speed += share * (there - speed)
     before = slip(t, pair, x, y) + belt_speed(t, pair, normal_x, normal_y)
     press(t, pair, x, y, total, speed)
     along = rub(t, pair, x, y, total, before)
     note_given(t, pair, x, y, total, along)
     return total, along, x, y, speed
+
+
+def gives_energy(share: float, bounce: float, speed: float, there: float) -> bool:
+    """Whether two points struck at once would give energy: one opens, `there` being negative (m/s),
+    and what bounces at the other, where they approach at `speed`, would drive it back. It is left
+    alone then, and struck itself if it approaches afterwards.
+
+    The work of each impulse is its mean speed times it; `share` is that of the one that opens.
+    """
+    return there < 0.0 and (1.0 - share) * speed * (2.0 - bounce) + share * there < 0.0
 
 
 def press(t: Tables, pair: int, x: float, y: float, total: float, speed: float) -> None:

@@ -4,6 +4,7 @@ What a unit impulse changes, joints included, stands where the inverse masses of
 """
 
 from engine.kernels.circles import stillness
+from engine.kernels.exchange import gives_energy
 from engine.kernels.impulses import (
     approach,
     change_of,
@@ -88,12 +89,15 @@ def exchange_with_joints(
         return  # they cannot approach: the joints will stop at the end of the part what does so
     total = bounce * speed / yields
     if other >= 0:
-        share, total = share_with_joints(t, pair, one, other, bounce, yields, amiss)
-        x += share * (t.touch.x[other] - x)
-        y += share * (t.touch.y[other] - y)
-        speed = closing_speed(t, pair, x, y, nx, ny) - strays(t, pair, x, y, amiss)
-        yields = closing(t, pair, x, y, nx, ny, push(t, pair, x, y, nx, ny))
-        free = response(t, pair, x, y, nx, ny)
+        there = approach_allowed(t, pair, other, amiss)
+        share, both = share_with_joints(t, pair, one, other, bounce, yields, amiss)
+        if not gives_energy(share, bounce, speed, there):
+            total = both
+            x += share * (t.touch.x[other] - x)
+            y += share * (t.touch.y[other] - y)
+            speed = closing_speed(t, pair, x, y, nx, ny) - strays(t, pair, x, y, amiss)
+            yields = closing(t, pair, x, y, nx, ny, push(t, pair, x, y, nx, ny))
+            free = response(t, pair, x, y, nx, ny)
     if total <= 0.0 or speed <= stillness(t, pair):
         return  # what approaches only seems to, as velocities are amiss
     t.books.restitution_heat[0] += total * (speed - total * yields / 2.0)

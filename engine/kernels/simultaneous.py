@@ -102,9 +102,14 @@ def strike_together(
     if fastest == 0.0:
         return True
     for row in range(rows):
-        hits.between[row] = 1 if is_between(t, row, rows) else 0
+        hits.idle[row] = 1 if is_between(t, row, rows) else 0
     if not press_all(t, rows, fastest):
         return False
+    if gains_energy(t, rows, fastest):
+        for row in range(rows):
+            if hits.came[row] < 0.0:
+                hits.idle[row] = 1
+        press_all(t, rows, fastest)
     press_and_rub(t, rows, fastest)
     for row in range(rows):
         hits.met[row] = hits.came[row]
@@ -258,13 +263,29 @@ def press_all(t: Tables, rows: int, fastest: float) -> bool:
     for row in range(rows):
         unknowns.value[row] = 0.0
         unknowns.least[row] = 0.0
-        unknowns.most[row] = UNBOUNDED if hits.between[row] == 0 else 0.0
+        unknowns.most[row] = UNBOUNDED if hits.idle[row] == 0 else 0.0
         unknowns.wanted[row] = hits.came[row] + hits.leaves[row]
     couple(t, rows, 0)
     changes = solve_bounded(t, rows, ENOUGH * fastest, PASSES)
     for row in range(rows):
         hits.impulse[row] = unknowns.value[row]
     return changes <= NEARLY * fastest
+
+
+def gains_energy(t: Tables, rows: int, fastest: float) -> bool:
+    """Whether the impulses along the normals that were found would give energy, where the fastest
+    approach is `fastest` (m/s).
+
+    The work of each is its mean speed times it. What opened, and would be driven back by what
+    bounces elsewhere, must not be stopped at once then, but is struck itself once it approaches.
+    """
+    hits = t.hits
+    lost = 0.0
+    least = 0.0
+    for row in range(rows):
+        lost += hits.impulse[row] * (hits.came[row] - hits.leaves[row])
+        least += hits.impulse[row] * fastest
+    return lost < -NEARLY * least
 
 
 def rub_all(t: Tables, rows: int, fastest: float) -> None:

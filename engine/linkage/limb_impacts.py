@@ -40,14 +40,15 @@ def place_tree(t: Tables, tree: int, time: float) -> None:
 
 
 def heaviest_of_tree(t: Tables, tree: int) -> float:
-    """Mass of the heaviest body of a tree (kg)."""
+    """Mass of the heaviest body of a tree (kg), of those that forces move."""
+    bones = t.bones
     root = t.trees.root[tree]
-    heaviest = t.bones.mass[root] if root >= 0 else 0.0
+    heaviest = bones.mass[root] if root >= 0 and bones.inverse_mass[root] > 0.0 else 0.0
     first = t.trees.first[tree]
     for at in range(first, first + t.trees.limbs[tree]):
-        mass = t.bones.mass[t.limbs.member[at]]
-        if mass > heaviest:
-            heaviest = mass
+        bone = t.limbs.member[at]
+        if bones.inverse_mass[bone] > 0.0 and bones.mass[bone] > heaviest:
+            heaviest = bones.mass[bone]
     return heaviest
 
 

@@ -34,6 +34,12 @@ ENOUGH = 1e-4
 """No speed changes by more in the last of them, in reaches of the smaller body a second (1/s)."""
 
 
+HELD = 1e-3
+"""What yields less than this share of what the heaviest body of its structure alone would is held
+by the joints, as a weld to what moves by itself: no impulse stops it, nor is one sought that could.
+"""
+
+
 def list_loaded(t: Tables, resting: int) -> int:
     """Note for each resting pair which structure it bears by a much lighter body; list those that
     do last, and return the number of the others.
@@ -104,7 +110,7 @@ def bear_loads(t: Tables, free: int, resting: int, calm: float, within: bool, fr
             couple_through_joints(t, points, structure)
             if fresh:
                 stiffen(t, points)
-            want(t, points)
+            want(t, points, structure)
             find_loads(t, points)
             if give_loads(t, points, structure, calm):
                 found = STIRRED
@@ -267,9 +273,9 @@ def stiffen(t: Tables, points: int) -> None:
             contacts.hardness[row] = contacts.normal_mass[row] * (1.0 - contacts.softness[row])
 
 
-def want(t: Tables, points: int) -> None:
-    """Say by how much all impulses, those that act included, are to change speeds, and to how much
-    the springs of contacts yield.
+def want(t: Tables, points: int, structure: int) -> None:
+    """Say by how much all impulses, those that act included, are to change speeds, and how much
+    the springs of contacts yield; what hardly yields at all is no harder than `HELD`.
     """
     unknowns = t.unknowns
     contacts = t.contacts
@@ -284,6 +290,10 @@ def want(t: Tables, points: int) -> None:
         for other in range(count):
             changed = coupling[unknown * count + other] * unknowns.value[other]
             unknowns.wanted[unknown] += changed
+    least = HELD / t.structures.heaviest[structure]
+    for unknown in range(count):
+        if coupling[unknown * count + unknown] < least:
+            coupling[unknown * count + unknown] = least
     for point in range(points):
         row = unknowns.contact[point]
         acts = contacts.hardness[row] > 0.0

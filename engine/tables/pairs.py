@@ -186,8 +186,9 @@ class Hits(NamedTuple):
     normal_x: Floats
     """Unit normal from a to b."""
     normal_y: Floats
-    between: Ints
-    """1 for a point that others on both sides of it leave nothing to bear."""
+    idle: Ints
+    """1 for a point that is given nothing: others on both sides of it leave it nothing to bear, or
+    it opens, and what bounces elsewhere drives it back."""
     came: Floats
     """Speed of approach before (m/s)."""
     leaves: Floats
