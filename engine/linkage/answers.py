@@ -4,7 +4,7 @@ Velocities are linear in impulses, as long as no limit lets go: what a body with
 to a unit impulse (`answer`) says which impulse an impact takes, and what answers to that (`react`).
 """
 
-from engine.linkage.geometry import place_node
+from engine.linkage.geometry import place_node, weigh_node
 from engine.linkage.impulses import add_up, take
 from engine.linkage.jolts import jolt_at
 from engine.linkage.limb_impacts import (
@@ -179,6 +179,7 @@ def changed(t: Tables, node: int) -> bool:
 def place_in_flight(t: Tables, time: float) -> None:
     """Place the nodes where their bodies are at `time` of the part (s)."""
     for node in range(1, t.braces.sizes[1]):
+        weigh_node(t, node)
         x, y, angle = pose_in_flight(t.bodies, t.nodes.body[node], time)
         place_node(t, node, x, y, angle)
 

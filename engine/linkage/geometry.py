@@ -47,6 +47,13 @@ def place_node(t: Tables, node: int, x: float, y: float, angle: float) -> None:
     nodes.cos[node], nodes.sin[node] = cos_sin(angle)
 
 
+def weigh_node(t: Tables, node: int) -> None:
+    """Read what the body of a node resists with."""
+    row = t.nodes.body[node]
+    t.nodes.inverse_mass[node] = t.bodies.inverse_mass[row]
+    t.nodes.inverse_inertia[node] = t.bodies.inverse_inertia[row]
+
+
 def measure(t: Tables) -> None:
     """Set the values of all rows for the placed nodes."""
     for brace in range(t.braces.sizes[0]):

@@ -6,6 +6,7 @@ from engine.linkage.limb_velocities import find_hinge_rate
 from engine.linkage.limbs import (
     bear,
     eliminate,
+    gather_mass,
     load_alone,
     note_torn,
     place_bone,
@@ -58,6 +59,7 @@ def place_in_flight(t: Tables, bone: int, time: float) -> None:
     if row < 0:
         place_bone(t, bone, 0.0, 0.0, 0.0)
     else:
+        gather_mass(t, bone)
         x, y, angle = pose_in_flight(t.bodies, row, time)
         place_bone(t, bone, x, y, angle)
     load_alone(t, bone)

@@ -44,14 +44,19 @@ def find_runs(t: Tables) -> None:
 
 def gather_masses(t: Tables) -> None:
     """Read what the bodies resist with."""
+    for bone in range(t.bones.sizes[1]):
+        gather_mass(t, bone)
+
+
+def gather_mass(t: Tables, bone: int) -> None:
+    """Read what the body of a bone resists with."""
     bones = t.bones
     bodies = t.bodies
-    for bone in range(bones.sizes[1]):
-        row = bones.body[bone]
-        bones.inverse_mass[bone] = bodies.inverse_mass[row]
-        bones.inverse_inertia[bone] = bodies.inverse_inertia[row]
-        bones.mass[bone] = bodies.mass[row]
-        bones.inertia[bone] = bodies.inertia[row] if bodies.inverse_inertia[row] > 0.0 else 0.0
+    row = bones.body[bone]
+    bones.inverse_mass[bone] = bodies.inverse_mass[row]
+    bones.inverse_inertia[bone] = bodies.inverse_inertia[row]
+    bones.mass[bone] = bodies.mass[row]
+    bones.inertia[bone] = bodies.inertia[row] if bodies.inverse_inertia[row] > 0.0 else 0.0
 
 
 def stand(t: Tables) -> None:

@@ -10,7 +10,7 @@ of the part before.
 
 from engine.kernels.moments import place_in_part
 from engine.linkage.closing import note_closings
-from engine.linkage.geometry import aim, measure, place_nodes
+from engine.linkage.geometry import aim, measure, place_nodes, weigh_node
 from engine.linkage.impulses import add_up, lend, note_impulses
 from engine.linkage.jolts import jolt, jolt_start
 from engine.linkage.limb_guesses import keep_limb_impulses
@@ -152,8 +152,7 @@ def gather_means(t: Tables) -> None:
     told_twice = 1.0 if t.braces.sizes[7] == 0 else 0.0
     for node in range(1, t.braces.sizes[1]):
         row = nodes.body[node]
-        nodes.inverse_mass[node] = bodies.inverse_mass[row]
-        nodes.inverse_inertia[node] = bodies.inverse_inertia[row]
+        weigh_node(t, node)
         if bodies.inverse_mass[row] > 0.0:
             x = bodies.vx[row] - told_twice * nodes.sum_x[node]
             y = bodies.vy[row] - told_twice * nodes.sum_y[node]
