@@ -26,6 +26,10 @@ from engine.tables import Tables
 BLOWS = 64
 """So often at most is stopped at one instant what friction drives together again."""
 
+OPENS = 1e-3
+"""What opens at a smaller share of the speed at which another point approaches rests there, but for
+the errors of resting contacts."""
+
 
 def exchange(t: Tables, pair: int, one: int, other: int, bounce: float, time: float) -> None:
     """Give both bodies their impulses, along the normal, then against the sliding; report them.
@@ -95,7 +99,8 @@ def gives_energy(share: float, bounce: float, speed: float, there: float) -> boo
 
     The work of each impulse is its mean speed times it; `share` is that of the one that opens.
     """
-    return there < 0.0 and (1.0 - share) * speed * (2.0 - bounce) + share * there < 0.0
+    lost = (1.0 - share) * speed * (2.0 - bounce) + share * there
+    return there < -OPENS * speed and lost < 0.0
 
 
 def press(t: Tables, pair: int, x: float, y: float, total: float, speed: float) -> None:

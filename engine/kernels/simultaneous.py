@@ -10,7 +10,7 @@ impact gains energy.
 
 from engine.kernels.circles import stillness
 from engine.kernels.complementarity import UNBOUNDED, couple, solve_bounded
-from engine.kernels.exchange import BLOWS, sticks
+from engine.kernels.exchange import BLOWS, OPENS, sticks
 from engine.kernels.footprint import PARALLEL, points_struck
 from engine.kernels.gathering import is_ground
 from engine.kernels.impacts import (
@@ -281,11 +281,11 @@ def gains_energy(t: Tables, rows: int, fastest: float) -> bool:
     """
     hits = t.hits
     lost = 0.0
-    least = 0.0
+    opens = False
     for row in range(rows):
         lost += hits.impulse[row] * (hits.came[row] - hits.leaves[row])
-        least += hits.impulse[row] * fastest
-    return lost < -NEARLY * least
+        opens = opens or (hits.impulse[row] > 0.0 and hits.came[row] < -OPENS * fastest)
+    return opens and lost < 0.0
 
 
 def rub_all(t: Tables, rows: int, fastest: float) -> None:
