@@ -445,6 +445,8 @@ def turn_by_shift(t: Tables, pair: int, done: float) -> None:
         jy = contacts.normal_impulse[row] * ny + contacts.tangent_impulse[row] * nx
         turn = (x * jy - y * jx) * done
         book_shift_by_ground(t, a, b, turn)
+        if bodies.inverse_mass[b] == 0.0:  # it is round: the contact stays where it is
+            t.books.wall_turn[0] -= of_a * turn
         book_turn(t, a, -of_a * turn)
         book_turn(t, b, (of_a - 1.0) * turn)
         bodies.spin[a] -= of_a * turn * bodies.inverse_inertia[a]

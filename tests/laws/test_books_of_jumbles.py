@@ -2,7 +2,8 @@
 
 Where a light joined body bore a heavy one, friction was bounded by what had pressed before the last
 solution. What no longer pressed at all kept some: it was not given again in the next part, but
-taken back there, and up to 5e-4 of the energy was nobody's.
+taken back there, and up to 5e-4 of the energy was nobody's. What a round piece of an immovable body
+gives about the origin was not corrected where parts of a tick ended early.
 """
 
 import random
@@ -16,6 +17,7 @@ from engine import (
     Capsule,
     Chain,
     Circle,
+    Compound,
     Distance,
     Ledger,
     Pin,
@@ -38,13 +40,16 @@ def throw_in(world: World, dice: random.Random) -> Body:
         Capsule(0.5, 0.2),
         Polygon.regular(5, 0.4),
         Polygon.concave(L_SHAPE),
+        Compound([Circle(0.2), Box(0.2, 0.8)]),
     ]
+    fixed = dice.random() < 0.15
     return world.add(
         dice.choice(shapes),
-        mass=dice.choice([0.1, 1, 20]),
+        kind="static" if fixed else None,
+        mass=None if fixed else dice.choice([0.1, 1, 20]),
         position=(dice.uniform(-3, 3), dice.uniform(0.5, 7)),
         angle=dice.uniform(-3, 3),
-        velocity=(dice.uniform(-5, 5), 0),
+        velocity=None if fixed else (dice.uniform(-5, 5), 0),
         friction=dice.random(),
         static_friction=dice.choice([None, 2.0]),
         rolling_resistance=dice.choice([0.0, 0.05]),
@@ -56,6 +61,8 @@ def join_some(world: World, bodies: list[Body], dice: random.Random) -> None:
     """Join up to six pairs, where one of the two is."""
     for _ in range(dice.randint(1, 6)):
         a, b = dice.sample([*bodies, None], 2)
+        if not any(body is not None and body.is_dynamic for body in (a, b)):
+            continue
         near = a or b or bodies[0]
         at = (near.x + dice.uniform(-0.3, 0.3), near.y + dice.uniform(-0.3, 0.3))
         nail = (0, 6) if a is None else a.position
@@ -89,4 +96,7 @@ def test_the_books_of_a_jumble_close(seed: int) -> None:
     for _ in range(4):
         world.run(60)
         books = world.ledger()
-        assert abs(books.energy_error) < 1e-9 * throughput(books)
+        most = 1e-9 * throughput(books)
+        assert abs(books.energy_error) < most
+        assert max(abs(lacking) for lacking in books.momentum_error) < most
+        assert abs(books.angular_momentum_error) < most
