@@ -26,7 +26,7 @@ from engine.tables import Tables
 BLOWS = 64
 """So often at most is stopped at one instant what friction drives together again."""
 
-OPENS = 1e-3
+OPENS = 2e-4
 """What opens at a smaller share of the speed at which another point approaches rests there, but for
 the errors of resting contacts."""
 
@@ -80,11 +80,14 @@ def blow(
         there = approach(t, pair, other)
         v2 = change_of(there, bounce)
         share, both = share_of_two(t, pair, one, other, bounce * speed, v2)
-        if not gives_energy(share, bounce, speed, there):
+        at_x = x + share * (t.touch.x[other] - x)
+        at_y = y + share * (t.touch.y[other] - y)
+        mean = speed + share * (there - speed)
+        if not gives_energy(both, mean, response(t, pair, at_x, at_y, normal_x, normal_y)):
+            x = at_x
+            y = at_y
             total = both
-            x += share * (t.touch.x[other] - x)
-            y += share * (t.touch.y[other] - y)
-            speed += share * (there - speed)
+            speed = mean
     before = slip(t, pair, x, y) + belt_speed(t, pair, normal_x, normal_y)
     press(t, pair, x, y, total, speed)
     along = rub(t, pair, x, y, total, before)
@@ -92,15 +95,13 @@ def blow(
     return total, along, x, y, speed
 
 
-def gives_energy(share: float, bounce: float, speed: float, there: float) -> bool:
-    """Whether two points struck at once would give energy: one opens, `there` being negative (m/s),
-    and what bounces at the other, where they approach at `speed`, would drive it back. It is left
-    alone then, and struck itself if it approaches afterwards.
-
-    The work of each impulse is its mean speed times it; `share` is that of the one that opens.
+def gives_energy(total: float, speed: float, yields: float) -> bool:
+    """Whether an impulse (N s) gives energy, which is that of two points struck at once, between
+    which bodies approach at `speed` (m/s) and a unit impulse changes that by `yields` (1/kg): one
+    opens, and what bounces at the other drives it back. It is left alone then, and struck itself
+    if it approaches afterwards.
     """
-    lost = (1.0 - share) * speed * (2.0 - bounce) + share * there
-    return there < -OPENS * speed and lost < 0.0
+    return total * yields / 2.0 > (1.0 + OPENS) * speed
 
 
 def press(t: Tables, pair: int, x: float, y: float, total: float, speed: float) -> None:

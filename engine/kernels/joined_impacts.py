@@ -89,14 +89,17 @@ def exchange_with_joints(
         return  # they cannot approach: the joints will stop at the end of the part what does so
     total = bounce * speed / yields
     if other >= 0:
-        there = approach_allowed(t, pair, other, amiss)
         share, both = share_with_joints(t, pair, one, other, bounce, yields, amiss)
-        if not gives_energy(share, bounce, speed, there):
+        at_x = x + share * (t.touch.x[other] - x)
+        at_y = y + share * (t.touch.y[other] - y)
+        mean = closing_speed(t, pair, at_x, at_y, nx, ny) - strays(t, pair, at_x, at_y, amiss)
+        there = closing(t, pair, at_x, at_y, nx, ny, push(t, pair, at_x, at_y, nx, ny))
+        if not gives_energy(both, mean, there):
+            x = at_x
+            y = at_y
             total = both
-            x += share * (t.touch.x[other] - x)
-            y += share * (t.touch.y[other] - y)
-            speed = closing_speed(t, pair, x, y, nx, ny) - strays(t, pair, x, y, amiss)
-            yields = closing(t, pair, x, y, nx, ny, push(t, pair, x, y, nx, ny))
+            speed = mean
+            yields = there
             free = response(t, pair, x, y, nx, ny)
     if total <= 0.0 or speed <= stillness(t, pair):
         return  # what approaches only seems to, as velocities are amiss
