@@ -119,6 +119,8 @@ DERIVED = (
     "bodies.here_angle",
     "bodies.stands",
     "bodies.seen",
+    "bodies.rides",
+    "bodies.bent",
     "bodies.shoved",
     "bodies.block",
     "bodies.gained",

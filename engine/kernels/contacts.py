@@ -22,6 +22,7 @@ from engine.kernels.halting import book_shift_by_ground
 from engine.kernels.handing import find_last_points
 from engine.kernels.impacts import settling_speed
 from engine.kernels.packing import load_points, pack, pack_again, unload
+from engine.kernels.riding import follow_curves
 from engine.kernels.sweeps import QUIET, WILD, warm_start
 from engine.kernels.swinging import obey, swing
 from engine.kernels.touches import collect
@@ -265,6 +266,8 @@ def relax(t: Tables, resting: int, count: int, part: float, done: float, steady:
             bodies.path_x[row] = bodies.ax[row]
             bodies.path_y[row] = bodies.ay[row]
             bodies.path_spin[row] = bodies.aspin[row]
+    if not steady:
+        follow_curves(t, left)
     return still
 
 

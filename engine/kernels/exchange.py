@@ -9,6 +9,7 @@ as it comes second and never reverses the sliding, no impact gains energy.
 """
 
 from engine.kernels.circles import stillness
+from engine.kernels.curves import note_blow
 from engine.kernels.impulses import (
     WEDGED,
     approach,
@@ -111,7 +112,9 @@ def press(t: Tables, pair: int, x: float, y: float, total: float, speed: float) 
     normal_x = t.touch.normal_x[0]
     normal_y = t.touch.normal_y[0]
     stiffness = response(t, pair, x, y, normal_x, normal_y)
-    t.books.restitution_heat[0] += total * (speed - total * stiffness / 2.0)
+    lost = total * (speed - total * stiffness / 2.0)
+    t.books.restitution_heat[0] += lost
+    note_blow(t, pair, -lost)
     give(t, pair, x, y, total * normal_x, total * normal_y)
 
 

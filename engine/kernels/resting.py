@@ -289,6 +289,9 @@ def place_middle(t: Tables, count: int, half: float, again: bool) -> None:
             bodies.middle_angle[row] = bodies.angle[row] + bodies.spin[row] * half
             if not again or bodies.inverse_mass[row] == 0.0:
                 bodies.stirred[row] = 0
+            if not again:
+                bodies.rides[row] = 0
+                bodies.bent[row] = 0.0
 
 
 def prepare(

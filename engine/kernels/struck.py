@@ -2,6 +2,7 @@
 `simultaneous`, which finds the impulses, and the table `Hits`.
 """
 
+from engine.kernels.curves import note_blow
 from engine.kernels.impulses import closing_speed, give, note_given, write_impact
 from engine.kernels.rubbing import belt_speed
 from engine.tables import Tables
@@ -43,8 +44,9 @@ def push(t: Tables, row: int, impulse: float, along: float) -> None:
 def book_pressing(t: Tables, rows: int) -> None:
     """Book what impulses along the normals took of the energy."""
     for row in range(rows):
-        speeds = t.hits.came[row] + approach_at(t, row)
-        t.books.restitution_heat[0] += t.hits.impulse[row] * speeds / 2.0
+        lost = t.hits.impulse[row] * (t.hits.came[row] + approach_at(t, row)) / 2.0
+        t.books.restitution_heat[0] += lost
+        note_blow(t, t.hits.pair[row], -lost)
 
 
 def book_rubbing(t: Tables, rows: int) -> None:

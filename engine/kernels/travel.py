@@ -30,6 +30,7 @@ from engine.kernels.resting import (
     settle,
     whirls,
 )
+from engine.kernels.riding import note_rides
 from engine.kernels.rousing import pair_waits, rouse
 from engine.kernels.sensing import sense_all
 from engine.kernels.simultaneous import strike_gathered
@@ -199,6 +200,7 @@ def end_contacts(
     what impacts, from row `first` on, and an early end change; see `correct_arms`.
     """
     book_part(t, held, count, part, reached, t.impacts.written[0] > first)
+    note_rides(t, held, reached / part)
     book_even(t, reached / part, reached)
     if reached < part:
         take_back_all(t, held, 1.0 - reached / part)

@@ -194,6 +194,10 @@ class Bodies(NamedTuple):
     shift_x: Floats
     """Mean position over the present part, less that for which contacts were solved (m)."""
     shift_y: Floats
+    rides: Ints
+    """Number of links of curves that bore it in the present part; see `curves`."""
+    bent: Floats
+    """Work that normals of a curve did on it in that part (J)."""
     here_x: Floats
     """Position for which the body was last placed (m)."""
     here_y: Floats
