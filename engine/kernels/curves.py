@@ -58,7 +58,7 @@ def disc_of(t: Tables, pair: int) -> int:
 
 
 def note_blow(t: Tables, pair: int, work: float) -> None:
-    """Note the work of an impact's normal impulse on what rides on a neighbour of the link (J)."""
+    """Note the work of an impact's normal impulse on what rides on a link next to it (J)."""
     link = link_of(t, pair)
     if link < 0:
         return
@@ -69,16 +69,16 @@ def note_blow(t: Tables, pair: int, work: float) -> None:
         if other == pair or t.pairs.state[other] != RESTING:
             continue
         beside = link_of(t, other)
-        if beside >= 0 and are_neighbours(t, link, beside):
+        if beside >= 0 and go_on(t, link, beside):
             t.bodies.bent[body] += work
             return
 
 
-def are_neighbours(t: Tables, one: int, other: int) -> bool:
-    """Whether two links of curves follow each other."""
+def go_on(t: Tables, one: int, other: int) -> bool:
+    """Whether two links of curves are of one, and lead almost the same way: what is fast passes
+    some of them in a part.
+    """
     if t.pieces.body[one] != t.pieces.body[other]:
         return False
     name = other - t.bodies.first_piece[t.pieces.body[other]] + 1
-    if t.pieces.before[one] == name or t.pieces.after[one] == name:
-        return abs(bend(t, one, name)) < BENT
-    return False
+    return abs(bend(t, one, name)) < BENT

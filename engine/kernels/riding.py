@@ -21,12 +21,14 @@ def note_rides(t: Tables, resting: int, share: float) -> None:
     """Note what rides on curves in a part that is over, and the work of normals, of which a `share`
     was given; to be called where that is booked.
     """
+    t.progress.riding[0] = 0
     for k in range(resting):
         pair = t.pairs.resting[k]
         points = t.pairs.acting[pair]
         if points > 0 and link_of(t, pair) >= 0 and not is_joined(t, pair):
             body = disc_of(t, pair)
             t.bodies.rides[body] += 1
+            t.progress.riding[0] += 1
             t.bodies.bent[body] += share * work_of_normals(t, pair, points, False)
 
 
@@ -53,6 +55,8 @@ def follow_curves(t: Tables, resting: int) -> None:
     """Let what rides on a curve go along it, at the end of a part, as fast as if nothing but forces
     and friction had done work.
     """
+    if t.progress.riding[0] == 0:
+        return
     for k in range(resting):
         pair = t.pairs.resting[k]
         if link_of(t, pair) < 0 or is_joined(t, pair):
@@ -71,24 +75,16 @@ def follow_curves(t: Tables, resting: int) -> None:
 
 
 def go_along(t: Tables, pair: int, body: int) -> None:
-    """The same for one body."""
+    """The same for one body that rides on a pair's link, or on one that bears it by now; if it has
+    just left, for its flight.
+    """
     bodies = t.bodies
-    place_pair(t, pair, 0.0)
-    points = touching_points(t, pair)
-    if points == 0 or lowest_gap(t, points) > WITHIN * t.pairs.size[pair]:
-        pair = find_heir(t, pair, 0.0)
-        if pair < 0:
-            return
-        place_pair(t, pair, 0.0)
-        touching_points(t, pair)
-    out = 1.0 if t.pairs.b[pair] == body else -1.0
-    nx = out * t.touch.normal_x[0]
-    ny = out * t.touch.normal_y[0]
+    pair, nx, ny = normal_at_end(t, pair, body)
     leaves = bodies.vx[body] * nx + bodies.vy[body] * ny
     along = bodies.vy[body] * nx - bodies.vx[body] * ny
     squared = along * along - 2.0 * bodies.bent[body] * bodies.inverse_mass[body]
     kept = leaves
-    if leaves <= t.pairs.carried[pair]:
+    if leaves <= t.pairs.carried[pair]:  # or it would be pulled
         squared += leaves * leaves
         kept = 0.0
     most = (1.0 + REGAINED) * abs(along)
@@ -99,12 +95,42 @@ def go_along(t: Tables, pair: int, body: int) -> None:
         goes = -goes
     x = (kept - leaves) * nx - (goes - along) * ny
     y = (kept - leaves) * ny + (goes - along) * nx
+    turn(t, pair, body, x, y)
+
+
+def normal_at_end(t: Tables, pair: int, body: int) -> tuple[int, float, float]:
+    """The pair of the link on which a body rides as the part ends, and the unit normal to the body;
+    across its way if it flies.
+    """
+    bodies = t.bodies
+    place_pair(t, pair, 0.0)
+    points = touching_points(t, pair)
+    heir = pair
+    if points == 0 or lowest_gap(t, points) > WITHIN * t.pairs.size[pair]:
+        heir = find_heir(t, pair, 0.0)
+    if heir < 0:
+        speed = math.sqrt(bodies.vx[body] * bodies.vx[body] + bodies.vy[body] * bodies.vy[body])
+        if speed == 0.0:
+            return pair, 0.0, 1.0
+        return pair, -bodies.vy[body] / speed, bodies.vx[body] / speed
+    if heir != pair:
+        place_pair(t, heir, 0.0)
+        touching_points(t, heir)
+    out = 1.0 if t.pairs.b[pair] == body else -1.0
+    return heir, out * t.touch.normal_x[0], out * t.touch.normal_y[0]
+
+
+def turn(t: Tables, pair: int, body: int, x: float, y: float) -> None:
+    """Let a link change the velocity of what rides on it (m/s) by what acts through its centre."""
+    bodies = t.bodies
     t.books.contact_heat[0] -= work_of(bodies, body, x, y, 0.0)
     t.books.wall_turn[0] += turn_of(bodies, body, x, y, 0.0)
-    mass = bodies.mass[body]
-    t.books.wall_x[0] += mass * x
-    t.books.wall_y[0] += mass * y
-    t.pairs.given_x[pair] += out * mass * x
-    t.pairs.given_y[pair] += out * mass * y
+    jx = bodies.mass[body] * x
+    jy = bodies.mass[body] * y
+    t.books.wall_x[0] += jx
+    t.books.wall_y[0] += jy
+    out = 1.0 if t.pairs.b[pair] == body else -1.0
+    t.pairs.given_x[pair] += out * jx
+    t.pairs.given_y[pair] += out * jy
     bodies.vx[body] += x
     bodies.vy[body] += y

@@ -2,8 +2,7 @@
 
 A contact that bears while its normal turns holds its bodies on the curve, whatever the tick, and
 hands them from link to link. Closed forms: Landau and Lifshitz, "Mechanics", 1976; the cycloid:
-Huygens, "Horologium Oscillatorium", 1673. Of a track made of n links, each corner costs the share
-d^2 of the energy where it turns by d.
+Huygens, "Horologium Oscillatorium", 1673. What swings in bowls is in `test_bowls`.
 """
 
 import math
@@ -49,7 +48,7 @@ def test_loops_are_looped_from_the_least_height(rolls: bool, least: float) -> No
     """
     radius, ball_radius = 1.0, 0.05
     path = radius - ball_radius
-    for factor, goes_round in ((0.96, False), (1.05, True)):
+    for factor, goes_round in ((0.98, False), (1.015, True)):
         world = track_world()
         loop(world, radius, 720, friction=2.0 if rolls else 0.0)
         speed = math.sqrt(2 * G * least * factor * path / (1.5 if rolls else 1.0))
