@@ -59,7 +59,7 @@ def disc_of(t: Tables, pair: int) -> int:
 
 def note_blow(t: Tables, pair: int, work: float) -> None:
     """Note the work of an impact's normal impulse on what rides on a link next to it (J)."""
-    link = link_of(t, pair)
+    link = link_of(t, pair) if t.progress.linked[0] > 0 else -1
     if link < 0:
         return
     body = disc_of(t, pair)

@@ -6,6 +6,7 @@ from engine.kernels.broadphase import fit_boxes
 from engine.kernels.neighbours import find_neighbours
 from engine.kernels.rubbing import mix
 from engine.kernels.touches import number_of_tick, part_with
+from engine.manifolds.link import is_link
 from engine.tables import FREE, NEVER, SENSING, Tables, clear_row, copy_row
 
 REMEMBERED = 8
@@ -169,6 +170,7 @@ def link(t: Tables, count: int, pair_count: int) -> None:
         bodies.links[row] = 0
     sensing = 0
     one_sided = 0
+    linked = 0
     for pair in range(pair_count):
         bodies.links[pairs.a[pair]] += 1
         bodies.links[pairs.b[pair]] += 1
@@ -176,8 +178,11 @@ def link(t: Tables, count: int, pair_count: int) -> None:
             sensing += 1
         one_sided += t.pieces.one_sided[pairs.piece_a[pair]]
         one_sided += t.pieces.one_sided[pairs.piece_b[pair]]
+        if is_link(t.pieces, pairs.piece_a[pair]) or is_link(t.pieces, pairs.piece_b[pair]):
+            linked += 1
     t.progress.sensing[0] = sensing
     t.progress.one_sided[0] = one_sided
+    t.progress.linked[0] = linked
     first = 0
     for row in range(count):
         bodies.first_link[row] = first

@@ -22,6 +22,8 @@ def note_rides(t: Tables, resting: int, share: float) -> None:
     was given; to be called where that is booked.
     """
     t.progress.riding[0] = 0
+    if t.progress.linked[0] == 0:
+        return
     for k in range(resting):
         pair = t.pairs.resting[k]
         points = t.pairs.acting[pair]

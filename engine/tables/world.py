@@ -167,6 +167,8 @@ class Progress(NamedTuple):
     roused: Ints
     """1 once something hit what waits, or came to rest on it; 2 if all that waits is to end that;
     see `rousing`."""
+    linked: Ints
+    """Number of pairs with a link of a chain."""
     riding: Ints
     """Number of contacts in the present part with links of curves; see `riding`."""
     begins: Ints
