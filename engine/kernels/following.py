@@ -247,7 +247,7 @@ def weigh_if_racing(t: Tables, pair: int) -> None:
 def find_points(t: Tables, pair: int, time: float) -> None:
     """Find by geometry where the bodies touch at `time` of the present part (s), their middle pose.
 
-    The impulses of points that were known before are kept, and how fast these opened.
+    The impulses and loads of points that were known before are kept, and how fast these opened.
     """
     place_pair(t, pair, time)
     find_placed_points(t, pair)
@@ -275,6 +275,10 @@ def find_placed_points(t: Tables, pair: int) -> None:
     normal_1 = contacts.normal_impulse[first + 1]
     tangent_0 = contacts.tangent_impulse[first]
     tangent_1 = contacts.tangent_impulse[first + 1]
+    load_0 = contacts.normal_load[first]
+    load_1 = contacts.normal_load[first + 1]
+    grip_0 = contacts.tangent_load[first]
+    grip_1 = contacts.tangent_load[first + 1]
     opened_0 = contacts.target[first]
     opened_1 = contacts.target[first + 1]
     points = touching_points(t, pair)
@@ -295,14 +299,20 @@ def find_placed_points(t: Tables, pair: int) -> None:
         contacts.feature[row] = feature
         contacts.normal_impulse[row] = 0.0
         contacts.tangent_impulse[row] = 0.0
+        contacts.normal_load[row] = 0.0
+        contacts.tangent_load[row] = 0.0
         contacts.target[row] = opened_0 if before == 1 and points == 1 else NEVER
         if before > 0 and old_0 == feature:
             contacts.normal_impulse[row] = normal_0
             contacts.tangent_impulse[row] = tangent_0
+            contacts.normal_load[row] = load_0
+            contacts.tangent_load[row] = grip_0
             contacts.target[row] = opened_0
         elif before > 1 and old_1 == feature:
             contacts.normal_impulse[row] = normal_1
             contacts.tangent_impulse[row] = tangent_1
+            contacts.normal_load[row] = load_1
+            contacts.tangent_load[row] = grip_1
             contacts.target[row] = opened_1
         contacts.gap[row] = t.touch.gap[i]
         measure(t, pair, row, t.touch.x[i], t.touch.y[i])

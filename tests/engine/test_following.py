@@ -3,7 +3,7 @@
 import pytest
 
 from engine import Circle, Polygon, Wall, World
-from engine.kernels.following import follow, weigh_if_racing
+from engine.kernels.following import find_points, follow, weigh_if_racing
 from engine.kernels.pose import place
 from engine.manifolds.any_pair import gap_between
 from engine.tables import RESTING
@@ -75,3 +75,24 @@ def test_masses_follow_bodies_that_race_over_each_other() -> None:
         turning += arm_b * arm_b * t.bodies.inverse_inertia[2]
         mass = 1.0 / (1.0 / 2.0 + 1.0 / 3.0 + turning)
         assert t.contacts.normal_mass[row] == pytest.approx(mass, rel=1e-12)
+
+
+def test_a_new_point_bears_no_load_of_one_that_stood_in_its_row() -> None:
+    """Loads go with their points, as impulses do. A steady contact that found a second point gave
+    it what another contact had once borne in that row: a restored world went another way.
+    """
+    world = World(gravity=(0, -9.81))
+    world.add(Wall((-5, 0), (5, 0)))
+    world.add(Polygon.box(1, 1), position=(0, 0.5))
+    world.run(10)
+    t = world.tables
+    assert t.pairs.points[0] == 2
+    features = [t.contacts.feature[0], t.contacts.feature[1]]
+    t.contacts.normal_load[0], t.contacts.normal_load[1] = 3.0, 5.0
+    t.contacts.tangent_load[0], t.contacts.tangent_load[1] = 1.0, 2.0
+    t.contacts.feature[0], t.contacts.feature[1] = features[1], -1  # nothing like the second
+    find_points(t, 0, 0.0)
+    found = {t.contacts.feature[row]: row for row in range(2)}
+    known, new = found[features[1]], found[features[0]]
+    assert (t.contacts.normal_load[known], t.contacts.tangent_load[known]) == (3.0, 1.0)
+    assert (t.contacts.normal_load[new], t.contacts.tangent_load[new]) == (0.0, 0.0)
