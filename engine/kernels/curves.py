@@ -8,8 +8,9 @@ turned and not braked. The work of normals is summed over a part, and given back
 `riding`.
 """
 
+from engine.kernels.touches import number_of_tick
 from engine.manifolds.link import is_link
-from engine.tables import RESTING, Tables
+from engine.tables import Tables
 
 BENT = 0.1
 """Sine of the angle up to which a corner is one of a curve."""
@@ -57,20 +58,26 @@ def disc_of(t: Tables, pair: int) -> int:
     return t.pairs.b[pair] if is_link(t.pieces, t.pairs.piece_a[pair]) else a
 
 
-def note_blow(t: Tables, pair: int, work: float) -> None:
-    """Note the work of an impact's normal impulse on what rides on a link next to it (J)."""
+def note_blow(t: Tables, pair: int, lost: float) -> None:
+    """Note what an impact along the normal took (J) of what came along a curve: it touched another
+    link in this tick, and turned by no more than a corner may.
+    """
     link = link_of(t, pair) if t.progress.linked[0] > 0 else -1
     if link < 0:
         return
+    bodies = t.bodies
     body = disc_of(t, pair)
-    first = t.bodies.first_link[body]
-    for k in range(first, first + t.bodies.links[body]):
+    squared = bodies.vx[body] * bodies.vx[body] + bodies.vy[body] * bodies.vy[body]
+    if lost > BENT * BENT * bodies.mass[body] * squared / 2.0:
+        return
+    first = bodies.first_link[body]
+    for k in range(first, first + bodies.links[body]):
         other = t.links.pair[k]
-        if other == pair or t.pairs.state[other] != RESTING:
+        if other == pair or t.pairs.touched[other] != number_of_tick(t):
             continue
         beside = link_of(t, other)
         if beside >= 0 and go_on(t, link, beside):
-            t.bodies.bent[body] += work
+            bodies.bent[body] -= lost
             return
 
 

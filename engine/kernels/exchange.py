@@ -114,7 +114,7 @@ def press(t: Tables, pair: int, x: float, y: float, total: float, speed: float) 
     stiffness = response(t, pair, x, y, normal_x, normal_y)
     lost = total * (speed - total * stiffness / 2.0)
     t.books.restitution_heat[0] += lost
-    note_blow(t, pair, -lost)
+    note_blow(t, pair, lost)
     give(t, pair, x, y, total * normal_x, total * normal_y)
 
 

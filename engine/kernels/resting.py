@@ -291,7 +291,6 @@ def place_middle(t: Tables, count: int, half: float, again: bool) -> None:
                 bodies.stirred[row] = 0
             if not again:
                 bodies.rides[row] = 0
-                bodies.bent[row] = 0.0
 
 
 def prepare(

@@ -74,6 +74,7 @@ def follow_curves(t: Tables, resting: int) -> None:
         if t.bodies.rides[body] > 0 and alone and t.bodies.waits[body] == PRESENT:
             go_along(t, pair, body)
         t.bodies.rides[body] = 0
+        t.bodies.bent[body] = 0.0
 
 
 def go_along(t: Tables, pair: int, body: int) -> None:

@@ -46,7 +46,7 @@ def book_pressing(t: Tables, rows: int) -> None:
     for row in range(rows):
         lost = t.hits.impulse[row] * (t.hits.came[row] + approach_at(t, row)) / 2.0
         t.books.restitution_heat[0] += lost
-        note_blow(t, t.hits.pair[row], -lost)
+        note_blow(t, t.hits.pair[row], lost)
 
 
 def book_rubbing(t: Tables, rows: int) -> None:

@@ -67,6 +67,7 @@ def begin(t: Tables, count: int, pair_count: int, shortest: float) -> None:
     clear_sums(t)
     for row in range(count):
         bodies.clock[row] = 0.0
+        bodies.bent[row] = 0.0
     forget_ways(bodies, count)
     resting = settle(t, count, pair_count, shortest)
     forced = t.books.forced[0] == 1

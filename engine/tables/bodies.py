@@ -197,7 +197,8 @@ class Bodies(NamedTuple):
     rides: Ints
     """Number of links of curves that bore it in the present part; see `curves`."""
     bent: Floats
-    """Work that normals of a curve did on it in that part (J)."""
+    """Work that normals of a curve did on it in that part, or before in the tick as it did not ride
+    (J)."""
     here_x: Floats
     """Position for which the body was last placed (m)."""
     here_y: Floats

@@ -80,7 +80,7 @@ def test_a_marble_swings_little_for_long(amplitude: float) -> None:
     assert energy(world) - start == pytest.approx(0.0, abs=1e-3 * lifted)
 
 
-@pytest.mark.parametrize("mu", [0.1, 0.3])
+@pytest.mark.parametrize("mu", [0.0, 0.1, 0.3])
 def test_friction_on_a_curve_brakes_as_on_a_capstan(mu: float) -> None:
     """Without weight m v' = -mu m v^2/r, so that v = v_0 exp(-mu phi), whatever r is (Euler)."""
     world = bowl(0.0, 180, mu)
