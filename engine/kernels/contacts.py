@@ -37,7 +37,7 @@ from engine.linkage.limb_groups import (
 from engine.linkage.limb_motion import bind_limbs
 from engine.linkage.limb_sweeps import sweep_all, turn_limbs_by_shift
 from engine.linkage.limb_velocities import ease_limbs
-from engine.linkage.loaded import bear_loads, list_loaded
+from engine.linkage.loaded import JAMS, bear_loads, list_loaded
 from engine.linkage.modes import CLOSING, HOLDS
 from engine.linkage.positions import (
     bind,
@@ -186,7 +186,7 @@ def press_and_bind(
             borne = bear_loads(t, free, resting, CALM, True, swept == 1)
             failed = bind(t, part)
             found = borne if borne > found else found
-        if bound and t.braces.sizes[7] > 0:
+        if found == JAMS or (bound and t.braces.sizes[7] > 0):
             swept = 0
             free = resting
         elif has_settled(found, gives_up and swept == WILD_SWEEPS) and (
@@ -321,6 +321,7 @@ def calm_down(t: Tables, left: int, count: int) -> None:
                 borne = bear_loads(t, free, left, polish, False, False)
                 failed = ease(t, borne == QUIET and found == QUIET)
                 found = borne if borne > found else found
+                free = left if found == JAMS else free
             if has_settled(found, gives_up and i == WILD_SWEEPS) and (left == 0 or failed <= CALM):
                 return
 

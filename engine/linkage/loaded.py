@@ -40,6 +40,15 @@ by the joints, as a weld to what moves by itself: no impulse stops it, nor is on
 """
 
 
+OVERCOME = 100.0
+"""No contact gets an impulse by which the heaviest of all bodies would change its speed so many
+times as much as what is to be stopped: what is squeezed between two that do not yield cannot obey
+both."""
+
+JAMS = 3
+"""What `bear_loads` finds, beside what a sweep does: no impulses that do so, or immense ones."""
+
+
 def list_loaded(t: Tables, resting: int) -> int:
     """Note for each resting pair which structure it bears by a much lighter body; list those that
     do last, and return the number of the others.
@@ -98,8 +107,8 @@ def bear_loads(t: Tables, free: int, resting: int, calm: float, within: bool, fr
             which they are left to answer by themselves.
         fresh: whether this is the first time in the part.
 
-    Returns how velocities changed, as `sweep` does. What joints do not know yet, as limits and
-    motors that change their minds, is left to what follows.
+    Returns how velocities changed, as `sweep` does, or `JAMS`. What joints do not know yet, as
+    limits and motors that change their minds, is left to what follows.
     """
     pairs = t.pairs
     found = QUIET
@@ -110,8 +119,10 @@ def bear_loads(t: Tables, free: int, resting: int, calm: float, within: bool, fr
             couple_through_joints(t, points, structure)
             if fresh:
                 stiffen(t, points)
-            want(t, points, structure)
+            fastest = want(t, points, structure)
             find_loads(t, points)
+            if is_jammed(t, points, structure, fastest):
+                return JAMS
             if give_loads(t, points, structure, calm):
                 found = STIRRED
             if brake_rolling(t, points, structure, calm):
@@ -273,9 +284,10 @@ def stiffen(t: Tables, points: int) -> None:
             contacts.hardness[row] = contacts.normal_mass[row] * (1.0 - contacts.softness[row])
 
 
-def want(t: Tables, points: int, structure: int) -> None:
+def want(t: Tables, points: int, structure: int) -> float:
     """Say by how much all impulses, those that act included, are to change speeds, and how much
-    the springs of contacts yield; what hardly yields at all is no harder than `HELD`.
+    the springs of contacts yield; what hardly yields at all is no harder than `HELD`. Returns by
+    how much the speed at a point is to change at most (m/s).
     """
     unknowns = t.unknowns
     contacts = t.contacts
@@ -286,7 +298,10 @@ def want(t: Tables, points: int, structure: int) -> None:
         unknowns.wanted[point] = -opening(t, point) - contacts.target[row]
         along = points + point
         unknowns.wanted[along] = -opening(t, along) - t.pairs.belt_speed[row // 2]
+    fastest = 0.0
     for unknown in range(count):
+        speed = abs(unknowns.wanted[unknown])
+        fastest = speed if speed > fastest else fastest
         for other in range(count):
             changed = coupling[unknown * count + other] * unknowns.value[other]
             unknowns.wanted[unknown] += changed
@@ -301,6 +316,26 @@ def want(t: Tables, points: int, structure: int) -> None:
         unknowns.most[point] = UNBOUNDED if acts else unknowns.value[point]
         if acts:
             coupling[point * count + point] += contacts.softness[row] / contacts.hardness[row]
+    return fastest
+
+
+def is_jammed(t: Tables, points: int, structure: int, fastest: float) -> bool:
+    """Whether a contact would get more than `OVERCOME` allows, where speeds are to change by
+    `fastest` (m/s).
+    """
+    unknowns = t.unknowns
+    heaviest = t.structures.heaviest[structure]
+    for point in range(points):
+        for body in (unknowns.a[point], unknowns.b[point]):
+            if t.bodies.inverse_mass[body] > 0.0 and t.bodies.mass[body] > heaviest:
+                heaviest = t.bodies.mass[body]
+    for point in range(points):
+        row = unknowns.contact[point]
+        least = ENOUGH * t.pairs.size[row // 2]
+        change = abs(unknowns.value[point] - t.contacts.normal_impulse[row])
+        if change > OVERCOME * heaviest * (fastest + least):
+            return True
+    return False
 
 
 def opening(t: Tables, unknown: int) -> float:

@@ -7,7 +7,7 @@ stood, and by 60 cm as it landed from half a metre.
 
 import pytest
 
-from engine import Body, Box, Circle, Pin, Wall, Weld, World
+from engine import Body, Box, Capsule, Circle, Pin, Polygon, Wall, Weld, World
 
 
 def build_table(world: World, load: float, height: float, welded: bool) -> list[Body]:
@@ -95,3 +95,30 @@ def test_light_wheels_resist_the_rolling_of_what_they_bear(load: float) -> None:
     slower = coefficient * mass * 9.81 / radius / (mass + resisting)
     assert frame.vx == pytest.approx(3 - slower, rel=1e-4)
     assert frame.y == pytest.approx(radius, abs=1e-4)
+
+
+@pytest.mark.parametrize("turned", [16, 34, 35])
+def test_what_is_squeezed_between_two_that_do_not_yield(turned: int) -> None:
+    """A light hook welded to something heavy on the ground gets under one that whirls by itself.
+
+    No impulses let it obey both: those that came closest threw it away at 5e8 m/s.
+    """
+    hook = Polygon.concave([(0, 0), (1, 0), (1, 0.3), (0.3, 0.3), (0.3, 1), (0, 1)])
+    world = World(gravity=(0, -9.81), kernels="compiled")
+    world.add(Wall((-4, 0), (4, 0)), friction=0.9)
+    light = world.add(
+        hook, mass=1, position=(-0.142, 3.171), angle=-1.155 + 0.02 * turned,
+        velocity=(1.465, -0.948), friction=0.3, fixed_rotation=True,
+    )  # fmt: skip
+    world.add(
+        hook, kind="kinematic", position=(0.09, 3.9), angle=0.345, velocity=(-0.256, 0.054),
+        spin=4.285, friction=0.8,
+    )  # fmt: skip
+    heavy = world.add(
+        Capsule(0.5, 0.2), mass=20, position=(0.535, 0.254), angle=1.921,
+        velocity=(1.465, -0.948), friction=0.9,
+    )  # fmt: skip
+    world.join(light, heavy, Weld(at=(0.2, 1.7)))
+    for _ in range(40):
+        world.step()
+        assert light.speed < 25
