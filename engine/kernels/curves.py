@@ -62,7 +62,9 @@ def note_blow(t: Tables, pair: int, lost: float) -> None:
     """Note what an impact along the normal took (J) of what came along a curve: it touched another
     link in this tick, and turned by no more than a corner may.
     """
-    link = link_of(t, pair) if t.progress.linked[0] > 0 else -1
+    if t.progress.linked[0] == 0 or t.progress.straight[0] == 1:  # then no tick begins the sum anew
+        return
+    link = link_of(t, pair)
     if link < 0:
         return
     bodies = t.bodies
