@@ -215,6 +215,8 @@ class Body:
     def mass(self, value: Any) -> None:
         row, new = self._dynamic("mass"), validate.positive(value, "mass")
         self._weigh(row, new, self.inertia * (new / self.mass))
+        if self._world.bodies.joined[row]:
+            self._world.store.loosen()  # how joints are solved depends on masses
 
     @property
     def inertia(self) -> float:

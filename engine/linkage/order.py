@@ -29,6 +29,13 @@ from engine.tables import (
 SHAPES = (LINE, LINE, LINE, POINT, POINT, SLIDE, STRING)
 """Of each kind in `joints.KINDS`: distance, rope, spring, pin, weld, slider, pulley."""
 
+FEW = 6
+"""Hinges of a tree at most"""
+
+UNEVEN = 10.0
+"""and by how many times its bodies differ in mass at least, if it is solved like other joints: so
+is what light wheels bear (`linkage.loaded`), at the cost of a doll that lies."""
+
 
 def put_in_order(t: Tables, joints: int, row_of: dict[int, int]) -> Tables:
     """Make the tables of the braces anew.
@@ -52,7 +59,7 @@ def put_in_order(t: Tables, joints: int, row_of: dict[int, int]) -> Tables:
     rest: list[list[Brace]] = []
     for island in _islands(acting, joined):
         tree = tree_of(len(trees), island, joined, acting)
-        if tree is None:
+        if tree is None or is_uneven(t, tree):
             rest.append(island)
         else:
             trees.append(tree)
@@ -60,6 +67,17 @@ def put_in_order(t: Tables, joints: int, row_of: dict[int, int]) -> Tables:
     node_of = {WORLD: 0} | {body: node + 1 for node, body in enumerate(sorted(fixed))}
     movable = set(joined)
     return _filled(fill_trees(t, trees, movable, row_of), rest, node_of, movable)
+
+
+def is_uneven(t: Tables, tree: Tree) -> bool:
+    """Whether a small tree that hangs on nothing has bodies of very different mass, as a cart on
+    light wheels.
+    """
+    if len(tree.limbs) > FEW or tree.root == WORLD or t.bodies.inverse_mass[tree.root] == 0.0:
+        return False
+    masses = [t.bodies.mass[limb.child] for limb in tree.limbs]
+    masses.append(t.bodies.mass[tree.root])
+    return max(masses) > UNEVEN * min(masses)
 
 
 def _brace(t: Tables, joint: int, row_of: dict[int, int]) -> Brace:

@@ -6,7 +6,7 @@ hundred times as light gave it a hundred times the impulse that stops it. It lef
 
 import pytest
 
-from engine import Body, Box, Capsule, Wall, World
+from engine import Body, Box, Capsule, Circle, Pin, Wall, World
 
 
 def heap(sleeping: bool) -> tuple[World, list[Body]]:
@@ -46,3 +46,22 @@ def test_the_ground_bears_the_new_weight() -> None:
     (contact,) = world.contacts
     assert (contact.a, contact.b) == (ground, box)
     assert contact.impulse.y == pytest.approx(2.0 * 9.81 / 60, rel=1e-9)
+
+
+def test_a_cart_that_is_loaded_later_stands_on_its_wheels() -> None:
+    """How joints are solved depends on masses: they are looked at anew, restored or not."""
+    world = World(gravity=(0, -9.81), integrator="velocity-verlet", kernels="compiled")
+    world.add(Wall((-10, 0), (10, 0)), friction=0.6)
+    frame = world.add(Box(2, 0.2), mass=0.1, position=(0, 0.4))
+    for x in (-0.8, 0.8):
+        wheel = world.add(Circle(0.3), mass=0.1, position=(x, 0.3), friction=0.6)
+        world.join(frame, wheel, Pin(at=(x, 0.3)))
+    world.run(10)
+    frame.mass = 1000.0
+    before = world.snapshot()
+    world.run(100)
+    assert frame.y == pytest.approx(0.4, abs=2e-4)
+    ended = world.digest()
+    world.restore(before)
+    world.run(100)
+    assert world.digest() == ended
