@@ -6,8 +6,8 @@ such a structure are solved with all that joints answer at once: a unit impulse 
 the speed at another by A = J (M^-1 - M^-1 G^T (G M^-1 G^T)^-1 G M^-1) J^T (Jacobians J of the
 contacts and G of the joints, inverse masses M^-1; the Delassus operator of contacts on a mechanism:
 Brogliato, "Nonsmooth Mechanics", 2016, section 5.2), and impulses have their bounds (Signorini,
-Coulomb; `kernels.complementarity`). Trees of hinges go their own way (`limb_sweeps`), but for small
-ones of very uneven mass (`order.is_uneven`).
+Coulomb; `kernels.complementarity`). Trees of hinges go their own way (`limb_sweeps`), but for
+carts on light wheels (`order.is_cart`).
 """
 
 from engine.kernels.complementarity import UNBOUNDED, coupling, solve_bounded

@@ -30,11 +30,12 @@ SHAPES = (LINE, LINE, LINE, POINT, POINT, SLIDE, STRING)
 """Of each kind in `joints.KINDS`: distance, rope, spring, pin, weld, slider, pulley."""
 
 FEW = 6
-"""Hinges of a tree at most"""
+"""Hinges that a cart has at most"""
 
-UNEVEN = 10.0
-"""and by how many times its bodies differ in mass at least, if it is solved like other joints: so
-is what light wheels bear (`linkage.loaded`), at the cost of a doll that lies."""
+LIGHT = 10.0
+"""and by how many times its wheels are lighter than its heaviest body at least, if they are solved
+like other joints: so is what they bear (`linkage.loaded`). What spins fast in free flight would
+lose energy by that, and dolls that lie would cost ten times as much."""
 
 
 def put_in_order(t: Tables, joints: int, row_of: dict[int, int]) -> Tables:
@@ -59,7 +60,7 @@ def put_in_order(t: Tables, joints: int, row_of: dict[int, int]) -> Tables:
     rest: list[list[Brace]] = []
     for island in _islands(acting, joined):
         tree = tree_of(len(trees), island, joined, acting)
-        if tree is None or is_uneven(t, tree):
+        if tree is None or is_cart(t, tree):
             rest.append(island)
         else:
             trees.append(tree)
@@ -69,15 +70,21 @@ def put_in_order(t: Tables, joints: int, row_of: dict[int, int]) -> Tables:
     return _filled(fill_trees(t, trees, movable, row_of), rest, node_of, movable)
 
 
-def is_uneven(t: Tables, tree: Tree) -> bool:
-    """Whether a small tree that hangs on nothing has bodies of very different mass, as a cart on
-    light wheels.
-    """
-    if len(tree.limbs) > FEW or tree.root == WORLD or t.bodies.inverse_mass[tree.root] == 0.0:
+def is_cart(t: Tables, tree: Tree) -> bool:
+    """Whether a small tree that hangs on nothing has light bodies, all of them wheels."""
+    bodies = t.bodies
+    if len(tree.limbs) > FEW or tree.root == WORLD or bodies.inverse_mass[tree.root] == 0.0:
         return False
-    masses = [t.bodies.mass[limb.child] for limb in tree.limbs]
-    masses.append(t.bodies.mass[tree.root])
-    return max(masses) > UNEVEN * min(masses)
+    members = [tree.root, *(limb.child for limb in tree.limbs)]
+    heaviest = max(bodies.mass[row] for row in members)
+    light = [row for row in members if LIGHT * bodies.mass[row] < heaviest]
+    return bool(light) and all(is_round(t, row) for row in light)
+
+
+def is_round(t: Tables, row: int) -> bool:
+    """Whether a body is a disc."""
+    piece = t.bodies.first_piece[row]
+    return bool(t.bodies.pieces[row] == 1 and t.pieces.corners[piece] == 1)
 
 
 def _brace(t: Tables, joint: int, row_of: dict[int, int]) -> Brace:

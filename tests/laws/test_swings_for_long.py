@@ -80,3 +80,23 @@ def test_time_reversed_they_return() -> None:
             rod.spin = -rod.spin
     for rod, pose in zip(rods, poses, strict=True):
         assert (*rod.position, rod.angle) == pytest.approx(pose, abs=1e-9)
+
+
+@pytest.mark.parametrize("spin", [10, 60, 200])
+def test_a_flail_in_free_flight_keeps_its_energy(spin: float) -> None:
+    """Two light rods on a heavy one that nothing holds, turning fast: for a minute."""
+    world = World(integrator="velocity-verlet", kernels="compiled")
+    rods = [
+        world.add(Box(1, 0.1), mass=20, group=1),
+        world.add(Box(1, 0.1), mass=1, position=(1, 0), spin=spin, velocity=(0, spin / 2), group=1),
+        world.add(
+            Box(0.5, 0.1), mass=1, position=(1.75, 0), spin=-spin, velocity=(0, spin / 2), group=1
+        ),
+    ]
+    world.join(rods[0], rods[1], Pin(at=(0.5, 0)))
+    world.join(rods[1], rods[2], Pin(at=(1.5, 0)))
+    world.step()
+    before = world.kinetic_energy
+    for _ in range(60):
+        world.run(60)
+        assert world.kinetic_energy == pytest.approx(before, rel=1e-3)
