@@ -76,7 +76,8 @@ def blow(
     speed = approach(t, pair, one)
     normal_x = t.touch.normal_x[0]
     normal_y = t.touch.normal_y[0]
-    total = bounce * speed / response(t, pair, x, y, normal_x, normal_y)
+    yields = response(t, pair, x, y, normal_x, normal_y)
+    total = bounce * speed / yields
     if other >= 0:
         there = approach(t, pair, other)
         v2 = change_of(there, bounce)
@@ -84,13 +85,15 @@ def blow(
         at_x = x + share * (t.touch.x[other] - x)
         at_y = y + share * (t.touch.y[other] - y)
         mean = speed + share * (there - speed)
-        if not gives_energy(both, mean, response(t, pair, at_x, at_y, normal_x, normal_y)):
+        between = response(t, pair, at_x, at_y, normal_x, normal_y)
+        if not gives_energy(both, mean, between):
             x = at_x
             y = at_y
             total = both
             speed = mean
+            yields = between
     before = slip(t, pair, x, y) + belt_speed(t, pair, normal_x, normal_y)
-    press(t, pair, x, y, total, speed)
+    press(t, pair, x, y, total, speed, yields)
     along = rub(t, pair, x, y, total, before)
     note_given(t, pair, x, y, total, along)
     return total, along, x, y, speed
@@ -105,14 +108,15 @@ def gives_energy(total: float, speed: float, yields: float) -> bool:
     return total * yields / 2.0 > (1.0 + OPENS) * speed
 
 
-def press(t: Tables, pair: int, x: float, y: float, total: float, speed: float) -> None:
+def press(
+    t: Tables, pair: int, x: float, y: float, total: float, speed: float, yields: float
+) -> None:
     """Give both bodies the impulse `total` (N s) along the normal at (x, y), where they approach at
-    `speed` (m/s).
+    `speed` (m/s) and a unit impulse changes that by `yields` (1/kg).
     """
     normal_x = t.touch.normal_x[0]
     normal_y = t.touch.normal_y[0]
-    stiffness = response(t, pair, x, y, normal_x, normal_y)
-    lost = total * (speed - total * stiffness / 2.0)
+    lost = total * (speed - total * yields / 2.0)
     t.books.restitution_heat[0] += lost
     note_blow(t, pair, lost)
     give(t, pair, x, y, total * normal_x, total * normal_y)

@@ -10,7 +10,7 @@ Coulomb; `kernels.complementarity`). Trees of hinges go their own way (`limb_swe
 carts on light wheels (`order.is_cart`).
 """
 
-from engine.kernels.complementarity import UNBOUNDED, coupling, solve_bounded
+from engine.kernels.complementarity import UNBOUNDED, change_within, coupling, solve_bounded
 from engine.kernels.rubbing import resist_rolling
 from engine.kernels.sweeps import LESS_CALM, QUIET, STIRRED
 from engine.linkage.answers import still
@@ -364,11 +364,7 @@ def find_loads(t: Tables, points: int) -> None:
         solve_bounded(t, 2 * points, ENOUGH * smallest, PASSES)
     bound_friction(t, points)
     for along in range(points, 2 * points):
-        most = unknowns.most[along]
-        if unknowns.value[along] > most:
-            unknowns.value[along] = most
-        elif unknowns.value[along] < -most:
-            unknowns.value[along] = -most
+        change_within(t, along, unknowns.value[along])
 
 
 def bound_friction(t: Tables, points: int) -> None:
