@@ -17,7 +17,7 @@ from engine.linkage.limb_impacts import (
 )
 from engine.linkage.moments import book_braces
 from engine.linkage.skyline import solve
-from engine.linkage.tally import find_heaviest, has_braces, node_of
+from engine.linkage.tally import has_braces, node_of
 from engine.linkage.velocities import MOST_CHANGES, begin_instant, find_rates, renew
 from engine.tables import Tables
 
@@ -38,7 +38,6 @@ def prepare_answers(t: Tables, a: int, b: int, time: float) -> None:
         place_tree(t, tree_b, time)
     if has_braces(t, a) or has_braces(t, b):
         t.braces.sizes[5] = 0
-        find_heaviest(t)
         place_in_flight(t, time)
         begin_instant(t)
         renew(t)

@@ -18,7 +18,7 @@ from engine.linkage.impulses import add, lend, rate_of
 from engine.linkage.moments import book_braces
 from engine.linkage.positions import deliver
 from engine.linkage.skyline import solve_between
-from engine.linkage.tally import find_heaviest, has_braces, node_of
+from engine.linkage.tally import has_braces, node_of
 from engine.tables import MOST_HITS, Tables
 
 HEAVY = 10.0
@@ -56,7 +56,6 @@ def list_loaded(t: Tables, resting: int) -> int:
     """
     if t.braces.sizes[0] == 0:
         return resting
-    find_heaviest(t)
     pairs = t.pairs
     free = 0
     loaded = 0

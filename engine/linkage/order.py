@@ -141,6 +141,7 @@ def _filled(
         structures.first[k + 1], structures.end[k + 1] = int(ends[k]), int(ends[k + 1])
         for body in {body for brace in island for body in (brace.a, brace.b)} & movable:
             nodes.structure[node_of[body]] = k + 1
+            structures.heaviest[k + 1] = max(structures.heaviest[k + 1], t.bodies.mass[body])
     braces = allocate(Braces, max(8, len(order)))
     for k, brace in enumerate(order):
         braces.joint[k], braces.shape[k] = brace.joint, brace.shape

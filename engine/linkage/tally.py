@@ -86,16 +86,3 @@ def node_of(t: Tables, row: int) -> int:
         else:
             end = middle
     return first if first < t.braces.sizes[1] and t.nodes.body[first] == row else 0
-
-
-def find_heaviest(t: Tables) -> None:
-    """Find the mass of the heaviest body of each structure (kg), of those that forces move."""
-    structures = t.structures
-    for node in range(1, t.braces.sizes[1]):
-        structures.heaviest[t.nodes.structure[node]] = 0.0
-    for node in range(1, t.braces.sizes[1]):
-        structure = t.nodes.structure[node]
-        row = t.nodes.body[node]
-        mass = t.bodies.mass[row] if t.bodies.inverse_mass[row] > 0.0 else 0.0
-        if mass > structures.heaviest[structure]:
-            structures.heaviest[structure] = mass
