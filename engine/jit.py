@@ -74,6 +74,7 @@ SOURCES = (
     "linkage.limb_sweeps",
     "linkage.limb_velocities",
     "linkage.limbs",
+    "linkage.delassus",
     "linkage.loaded",
     "linkage.modes",
     "linkage.moments",
