@@ -59,6 +59,7 @@ SOURCES = (
     "kernels.impulses",
     "kernels.joined_impacts",
     "kernels.islands",
+    "kernels.lever_arms",
     "linkage.acting",
     "linkage.answers",
     "linkage.closing",

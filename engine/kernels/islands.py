@@ -11,8 +11,9 @@ those that take part.
 """
 
 from engine.kernels.books import book_part
-from engine.kernels.contacts import correct_arms, relax
+from engine.kernels.contacts import relax
 from engine.kernels.halting import book_fixed, book_turns_by_ground, hand_on
+from engine.kernels.lever_arms import correct_arms
 from engine.kernels.resting import place_middle
 from engine.kernels.rousing import ALL, PRESENT, ROUSED, STEADILY, pair_waits
 from engine.kernels.standing import is_built, moves, stand, take_back_new

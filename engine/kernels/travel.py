@@ -8,7 +8,7 @@ of pairs holds.
 from engine.kernels.aftermath import await_corners, look_at_struck
 from engine.kernels.agenda import TOGETHER, dequeue, empty, next_to_meet
 from engine.kernels.books import book_lead, book_part
-from engine.kernels.contacts import correct_arms, relax
+from engine.kernels.contacts import relax
 from engine.kernels.escaping import has_escaped
 from engine.kernels.fields import lead_of_euler
 from engine.kernels.gathering import gather
@@ -16,6 +16,7 @@ from engine.kernels.islands import (
     end_steadily,
     wait_steadily,
 )
+from engine.kernels.lever_arms import correct_arms
 from engine.kernels.meeting import (
     find_meetings,
     foresee_meetings,
