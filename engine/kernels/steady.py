@@ -13,6 +13,7 @@ or somebody acts on the world.
 from engine.kernels.books import note_part
 from engine.kernels.contacts import STEADY_SWEEPS, STILL, stiffen
 from engine.kernels.following import find_points, follow, has_drifted
+from engine.kernels.gaining import only_forces_drive
 from engine.kernels.halting import halt_fixed
 from engine.kernels.rubbing import slip_of
 from engine.kernels.sticking import FIXED, HELD, find_fixed
@@ -250,7 +251,7 @@ def balance(t: Tables, count: int, resting: int, part: float) -> int:
             contacts.tangent_load[row] = contacts.tangent_impulse[row] / part
     if found == MOVING:
         return found
-    find_fixed(t, count, resting)
+    find_fixed(t, count, resting, only_forces_drive(t, count))
     if slides_on(t, resting):
         return MOVING
     for k in range(resting):

@@ -7,6 +7,8 @@ stand in a line (the triangle of all trusses). Sweeps would find the velocity ze
 slowly: a tall heap leans as a whole for minutes before they have noticed.
 """
 
+from engine.kernels.rubbing import slip_of
+from engine.kernels.touches import impulses_of
 from engine.tables import Tables
 
 APART = 0.01
@@ -16,12 +18,24 @@ HELD = 1.0 - 1e-9
 """Share of the most that friction can do below which a contact sticks: what slides has it all, but
 for rounding."""
 
+CREEPING = 1e-4
+"""What slides slower with all its friction sticks all the same, in reaches of the smaller body a
+second (1/s): sweeps leave it a little speed,"""
+
+DRIVEN = 5e-4
+"""unless forces exceed what friction does by more, as a share of that."""
+
 LOOSE, PINNED, FIXED = 0, 1, 2
 """A cluster that no pin, one pin or two join to the ground."""
 
 
-def find_fixed(t: Tables, count: int, resting: int) -> None:
-    """Note for each body whether contacts fix it to what never moves."""
+def find_fixed(t: Tables, count: int, resting: int, creeps: bool) -> None:
+    """Note for each body whether contacts fix it to what never moves.
+
+    Bodies are kicked by what loads leave of forces. What bears a body in a dent may need all its
+    friction for that; whether it sticks though it `creeps`, which is not known where something
+    immovable drives it on.
+    """
     bodies = t.bodies
     for row in range(count):
         rests = bodies.vx[row] == 0.0 and bodies.vy[row] == 0.0 and bodies.spin[row] == 0.0
@@ -32,14 +46,14 @@ def find_fixed(t: Tables, count: int, resting: int) -> None:
         a = t.pairs.a[pair]
         b = t.pairs.b[pair]
         movable = bodies.inverse_mass[a] > 0.0 and bodies.inverse_mass[b] > 0.0
-        if movable and pins(t, pair) == 2:
+        if movable and pins(t, pair, creeps) == 2:
             bodies.cluster[cluster_of(t, b)] = cluster_of(t, a)
     grows = True
     backwards = False
     while grows:
         grows = False
         for k in range(resting):
-            if pin_down(t, t.pairs.resting[resting - 1 - k if backwards else k]):
+            if pin_down(t, t.pairs.resting[resting - 1 - k if backwards else k], creeps):
                 grows = True
         for at in range(t.bones.sizes[8]):
             if pin_limb(t, t.bones.acting[at]):
@@ -82,8 +96,8 @@ def island_of(t: Tables, pair: int) -> int:
     return cluster_of(t, a if t.bodies.inverse_mass[a] > 0.0 else t.pairs.b[pair])
 
 
-def pins(t: Tables, pair: int) -> int:
-    """Number of points that a contact holds together under its load."""
+def pins(t: Tables, pair: int, creeps: bool) -> int:
+    """Number of points that a contact holds together under its load; see `find_fixed`."""
     push = 0.0
     rub = 0.0
     loaded = 0
@@ -92,17 +106,34 @@ def pins(t: Tables, pair: int) -> int:
         rub += t.contacts.tangent_load[point]
         if t.contacts.normal_load[point] > 0.0:
             loaded += 1
-    return loaded if abs(rub) < HELD * t.pairs.static_friction[pair] * push else 0
+    if abs(rub) < HELD * t.pairs.static_friction[pair] * push:
+        return loaded
+    return loaded if creeps and hardly_slides(t, pair) else 0
 
 
-def pin_down(t: Tables, pair: int) -> bool:
+def hardly_slides(t: Tables, pair: int) -> bool:
+    """Whether a contact slides so slowly that it counts as none, and does not come to slide."""
+    bodies = t.bodies
+    if abs(slip_of(t, pair)) > CREEPING * t.pairs.size[pair]:
+        return False
+    a = t.pairs.a[pair]
+    b = t.pairs.b[pair]
+    more = (bodies.kick_y[b] - bodies.kick_y[a]) * t.pairs.normal_x[pair]
+    more -= (bodies.kick_x[b] - bodies.kick_x[a]) * t.pairs.normal_y[pair]
+    more += bodies.kick_spin[b] * t.contacts.tangent_arm_b[2 * pair]
+    more -= bodies.kick_spin[a] * t.contacts.tangent_arm_a[2 * pair]
+    _, rub = impulses_of(t, pair)
+    return abs(more) * t.contacts.tangent_mass[2 * pair] < DRIVEN * abs(rub)
+
+
+def pin_down(t: Tables, pair: int, creeps: bool) -> bool:
     """Pin clusters to the ground by the pins of a pair; return whether something is pinned anew."""
     stuck = t.bodies.stuck
     a = cluster_of(t, t.pairs.a[pair])
     b = cluster_of(t, t.pairs.b[pair])
     if a == b or stuck[a] + stuck[b] < PINNED + PINNED or stuck[a] + stuck[b] == FIXED + FIXED:
         return False
-    if pins(t, pair) == 0:
+    if pins(t, pair, creeps) == 0:
         return False
     grows = False
     for point in range(2 * pair, 2 * pair + t.pairs.points[pair]):

@@ -70,6 +70,23 @@ def test_what_glides_without_friction_glides_on(speed: float) -> None:
     assert body.x - start == pytest.approx(5 * speed, rel=1e-6)
 
 
+@pytest.mark.parametrize("steeper", [0.998, 1.002])
+def test_what_was_at_rest_slides_if_forces_exceed_friction_a_little(steeper: float) -> None:
+    """Coulomb: it stays below tan a = mu, and above slides by a = g (sin a - mu cos a)."""
+    angle = math.atan(0.5 * steeper)
+    world = World(gravity=(0, -G), integrator="velocity-verlet")
+    world.add(Wall((-20, 0), (60, 0)), friction=0.5)
+    body = box(world, 0, 0.5)
+    rest(world)
+    world.gravity = (G * math.sin(angle), -G * math.cos(angle))
+    rest(world, 300)
+    if steeper < 1:
+        assert is_fixed(body)
+    else:
+        a = G * (math.sin(angle) - 0.5 * math.cos(angle))
+        assert body.vx == pytest.approx(5 * a, rel=0.01)
+
+
 def test_a_disc_in_a_groove_is_fixed_by_its_two_pins() -> None:
     world = World(gravity=(0, -G))
     world.add(Wall((-2, 2), (0, 0)), friction=0.9)
