@@ -13,7 +13,6 @@ or somebody acts on the world.
 from engine.kernels.books import note_part
 from engine.kernels.contacts import STEADY_SWEEPS, STILL, stiffen
 from engine.kernels.following import find_points, follow, has_drifted
-from engine.kernels.gaining import only_forces_drive
 from engine.kernels.halting import halt_fixed
 from engine.kernels.rubbing import slip_of
 from engine.kernels.sticking import FIXED, HELD, find_fixed
@@ -80,21 +79,17 @@ def is_unsteady(t: Tables, pair: int) -> bool:
         return True
     if pairs.rolling_resistance[pair] > 0.0 and abs(bodies.spin[b] - bodies.spin[a]) > RESISTED:
         return True
-    if carries_away(t, a, pairs.size[pair]) or carries_away(t, b, pairs.size[pair]):
+    if carries_away(t, a) or carries_away(t, b):
         return True
     return is_braked(t, pair) and not is_stopped(t, pair)
 
 
-def carries_away(t: Tables, row: int, size: float) -> bool:
-    """Whether a body is immovable, and moves faster than a calm one of the given size (m) does.
-
-    It may be so large that it is calm by its own.
-    """
+def carries_away(t: Tables, row: int) -> bool:
+    """Whether a body is immovable and moves, however slowly: what it pushes slides on."""
     bodies = t.bodies
     if bodies.inverse_mass[row] > 0.0:
         return False
-    speed = abs(bodies.vx[row]) + abs(bodies.vy[row]) + abs(bodies.spin[row]) * bodies.reach[row]
-    return speed > FAST * size
+    return bodies.vx[row] != 0.0 or bodies.vy[row] != 0.0 or bodies.spin[row] != 0.0
 
 
 def is_braked(t: Tables, pair: int) -> bool:
@@ -251,7 +246,7 @@ def balance(t: Tables, count: int, resting: int, part: float) -> int:
             contacts.tangent_load[row] = contacts.tangent_impulse[row] / part
     if found == MOVING:
         return found
-    find_fixed(t, count, resting, only_forces_drive(t, count))
+    find_fixed(t, count, resting)
     if slides_on(t, resting):
         return MOVING
     for k in range(resting):

@@ -29,12 +29,10 @@ LOOSE, PINNED, FIXED = 0, 1, 2
 """A cluster that no pin, one pin or two join to the ground."""
 
 
-def find_fixed(t: Tables, count: int, resting: int, creeps: bool) -> None:
+def find_fixed(t: Tables, count: int, resting: int) -> None:
     """Note for each body whether contacts fix it to what never moves.
 
-    Bodies are kicked by what loads leave of forces. What bears a body in a dent may need all its
-    friction for that; whether it sticks though it `creeps`, which is not known where something
-    immovable drives it on.
+    Bodies are kicked by what loads leave of forces, and nothing immovable that they touch moves.
     """
     bodies = t.bodies
     for row in range(count):
@@ -46,14 +44,14 @@ def find_fixed(t: Tables, count: int, resting: int, creeps: bool) -> None:
         a = t.pairs.a[pair]
         b = t.pairs.b[pair]
         movable = bodies.inverse_mass[a] > 0.0 and bodies.inverse_mass[b] > 0.0
-        if movable and pins(t, pair, creeps) == 2:
+        if movable and pins(t, pair) == 2:
             bodies.cluster[cluster_of(t, b)] = cluster_of(t, a)
     grows = True
     backwards = False
     while grows:
         grows = False
         for k in range(resting):
-            if pin_down(t, t.pairs.resting[resting - 1 - k if backwards else k], creeps):
+            if pin_down(t, t.pairs.resting[resting - 1 - k if backwards else k]):
                 grows = True
         for at in range(t.bones.sizes[8]):
             if pin_limb(t, t.bones.acting[at]):
@@ -96,8 +94,11 @@ def island_of(t: Tables, pair: int) -> int:
     return cluster_of(t, a if t.bodies.inverse_mass[a] > 0.0 else t.pairs.b[pair])
 
 
-def pins(t: Tables, pair: int, creeps: bool) -> int:
-    """Number of points that a contact holds together under its load; see `find_fixed`."""
+def pins(t: Tables, pair: int) -> int:
+    """Number of points that a contact holds together under its load.
+
+    What bears a body in a dent may need all its friction for that.
+    """
     push = 0.0
     rub = 0.0
     loaded = 0
@@ -108,7 +109,7 @@ def pins(t: Tables, pair: int, creeps: bool) -> int:
             loaded += 1
     if abs(rub) < HELD * t.pairs.static_friction[pair] * push:
         return loaded
-    return loaded if creeps and hardly_slides(t, pair) else 0
+    return loaded if hardly_slides(t, pair) else 0
 
 
 def hardly_slides(t: Tables, pair: int) -> bool:
@@ -126,14 +127,14 @@ def hardly_slides(t: Tables, pair: int) -> bool:
     return abs(more) * t.contacts.tangent_mass[2 * pair] < DRIVEN * abs(rub)
 
 
-def pin_down(t: Tables, pair: int, creeps: bool) -> bool:
+def pin_down(t: Tables, pair: int) -> bool:
     """Pin clusters to the ground by the pins of a pair; return whether something is pinned anew."""
     stuck = t.bodies.stuck
     a = cluster_of(t, t.pairs.a[pair])
     b = cluster_of(t, t.pairs.b[pair])
     if a == b or stuck[a] + stuck[b] < PINNED + PINNED or stuck[a] + stuck[b] == FIXED + FIXED:
         return False
-    if pins(t, pair, creeps) == 0:
+    if pins(t, pair) == 0:
         return False
     grows = False
     for point in range(2 * pair, 2 * pair + t.pairs.points[pair]):

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from engine import Circle, Particle, Polygon, World
+from engine import Circle, Particle, Polygon, Wall, World
 
 G = 9.81
 
@@ -189,3 +189,17 @@ def test_a_static_body_of_any_shape_stops_what_comes(shape: Circle | Particle | 
     run(world, 10 * period)
     assert ball.x == pytest.approx(0.0, abs=1e-6)
     assert ball.vy**2 / 2 + G * ball.y == pytest.approx(G * 4.0, rel=1e-9)
+
+
+@pytest.mark.parametrize("speed", [2e-5, 1e-4, 1e-3])
+def test_what_is_pushed_slowly_keeps_up(speed: float) -> None:
+    """Rigid bodies that touch move alike along their normal, however slowly: x = v t. Friction
+    holds the box as soon as nothing pushes it, and held it for half of the time.
+    """
+    world = World(gravity=(0, -G), integrator="velocity-verlet")
+    world.add(Wall((-20, 0), (20, 0)), friction=0.5)
+    world.add(Polygon.box(1, 1), position=(-1, 0.6), kind="kinematic", velocity=(speed, 0))
+    box = world.add(Polygon.box(1, 1), position=(0, 0.5), friction=0.5)
+    run(world, 10)
+    assert box.vx == pytest.approx(speed, rel=1e-6)
+    assert box.x == pytest.approx(10 * speed, rel=0.05)
